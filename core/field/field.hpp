@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// Named quantities on the blocks of this rank. Memory exists only between allocate() and release(): a field that no
+// stage of a run touches costs nothing.
+#include "core/field/array3.hpp"
+#include <array>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace core {
+
+/// Index of a block among those of this rank.
+using LocalBlock = int;
+
+/// What a field is: its name in reports and files, its unit, and the halo that its readers may need.
+struct FieldInfo {
+    std::string name;
+    std::string unit;
+    int halo = 1;
+    bool persistent = false; ///< carried from step to step, hence written to checkpoints
+};
+
+/// Components of a vector quantity, each an array of its own.
+template <class T>
+struct VectorView {
+    View<T> x, y, z;
+    [[nodiscard]] View<T> component(int c) const { return c == 0 ? x : c == 1 ? y : z; }
+    operator VectorView<const T>() const requires(!std::is_const_v<T>) { return {x, y, z}; }
+};
+
+/// Values on the faces of a block: i(i, j, k) lies on the low-i face of cell (i, j, k); i is (ni + 1, nj, nk) and so on.
+template <class T>
+struct FaceView {
+    View<T> i, j, k;
+    [[nodiscard]] View<T> along(int axis) const { return axis == 0 ? i : axis == 1 ? j : k; }
+    operator FaceView<const T>() const requires(!std::is_const_v<T>) { return {i, j, k}; }
+};
+
+/// Common part of the fields: `Arrays` arrays of doubles in each block.
+template <std::size_t Arrays>
+class FieldStorage {
+public:
+    [[nodiscard]] std::string_view name() const { return info_.name; }
+    [[nodiscard]] const FieldInfo& info() const { return info_; }
+    [[nodiscard]] bool allocated() const { return !blocks_.empty() || shapes_.empty(); }
+    [[nodiscard]] std::size_t bytes() const
+    {
+        std::size_t total = 0;
+        for (const auto& block : blocks_)
+            for (const auto& array : block) total += array.data().size() * sizeof(double);
+        return total;
+    }
+    [[nodiscard]] std::size_t blocks() const { return shapes_.size(); }
+    /// All values of one array of one block, halo included: for checkpoints, digests and fills.
+    [[nodiscard]] std::vector<double>& data(LocalBlock b, std::size_t array) { return blocks_[std::size_t(b)][array].data(); }
+    [[nodiscard]] const std::vector<double>& data(LocalBlock b, std::size_t array) const
+    {
+        return blocks_[std::size_t(b)][array].data();
+    }
+    static constexpr std::size_t arrays = Arrays;
+
+    /// Gives every block zeroed memory; keeps the values if there are some already.
+    void allocate()
+    {
+        if (allocated()) return;
+        for (const auto& shape : shapes_) {
+            auto& block = blocks_.emplace_back();
+            for (std::size_t a = 0; a < Arrays; ++a) block[a] = Array3<double>(shape[a], info_.halo, 0.0);
+        }
+    }
+    void release() { blocks_.clear(); }
+
+protected:
+    using Shape = std::array<Extents, Arrays>;
+    FieldStorage(FieldInfo info, std::vector<Shape> shapes) : info_(std::move(info)), shapes_(std::move(shapes)) {}
+    [[nodiscard]] auto& block(LocalBlock b) { return blocks_[std::size_t(b)]; }
+    [[nodiscard]] const auto& block(LocalBlock b) const { return blocks_[std::size_t(b)]; }
+
+private:
+    FieldInfo info_;
+    std::vector<Shape> shapes_;
+    std::vector<std::array<Array3<double>, Arrays>> blocks_;
+};
+
+/// One number in each cell.
+class ScalarField : public FieldStorage<1> {
+public:
+    /// @param cells  Extents of each block of this rank.
+    ScalarField(FieldInfo info, std::span<const Extents> cells);
+    [[nodiscard]] View<double> on(LocalBlock b) { return block(b)[0].view(); }
+    [[nodiscard]] View<const double> on(LocalBlock b) const { return block(b)[0].view(); }
+};
+
+/// A Cartesian vector in each cell, stored as three arrays.
+class VectorField : public FieldStorage<3> {
+public:
+    VectorField(FieldInfo info, std::span<const Extents> cells);
+    [[nodiscard]] VectorView<double> on(LocalBlock b)
+    {
+        auto& a = block(b);
+        return {a[0].view(), a[1].view(), a[2].view()};
+    }
+    [[nodiscard]] VectorView<const double> on(LocalBlock b) const
+    {
+        const auto& a = block(b);
+        return {a[0].view(), a[1].view(), a[2].view()};
+    }
+};
+
+/// One number on each face; no halo.
+class FaceField : public FieldStorage<3> {
+public:
+    FaceField(FieldInfo info, std::span<const Extents> cells);
+    [[nodiscard]] FaceView<double> on(LocalBlock b)
+    {
+        auto& a = block(b);
+        return {a[0].view(), a[1].view(), a[2].view()};
+    }
+    [[nodiscard]] FaceView<const double> on(LocalBlock b) const
+    {
+        const auto& a = block(b);
+        return {a[0].view(), a[1].view(), a[2].view()};
+    }
+};
+
+} // namespace core

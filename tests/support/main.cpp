@@ -1,0 +1,13 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+// Entry point of every test program: doctest inside MPI, so that a test may run on any number of ranks.
+#define DOCTEST_CONFIG_IMPLEMENT
+#include "core/comm/communicator.hpp"
+#include <doctest/doctest.h>
+
+int main(int argc, char** argv)
+{
+    const core::MpiSession session(argc, argv);
+    doctest::Context context(argc, argv);
+    return context.run();
+}

@@ -60,6 +60,8 @@ public:
     {
         return blocks_[std::size_t(b)][array].data();
     }
+    /// Pointer to element (0, 0, 0) of one array of one block.
+    [[nodiscard]] double* origin(LocalBlock b, std::size_t array) { return block(b)[array].view().row(0, 0); }
     static constexpr std::size_t arrays = Arrays;
 
     /// Gives every block zeroed memory; keeps the values if there are some already.

@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/comm/halo.hpp"
+#include <algorithm>
+#include <cstring>
+
+namespace core {
+namespace {
+
+constexpr int tag_fill = 11, tag_transpose = 12;
+
+/// What one rank asks of another: the value of `cell` of `block`, for halo element `element` of `target`.
+struct Request {
+    BlockId block;
+    Index3 cell;
+    BlockId target;
+    std::int64_t element;
+    double weight;
+};
+
+std::ptrdiff_t offset_of(Extents cells, int halo, Index3 c)
+{
+    const std::ptrdiff_t sj = cells.ni + 2 * halo, sk = sj * (cells.nj + 2 * halo);
+    return c.i + sj * c.j + sk * c.k;
+}
+
+template <class T>
+std::vector<std::byte> to_bytes(const std::vector<T>& items)
+{
+    std::vector<std::byte> bytes(items.size() * sizeof(T));
+    if (!items.empty()) std::memcpy(bytes.data(), items.data(), bytes.size());
+    return bytes;
+}
+
+template <class T>
+std::vector<T> from_bytes(const std::vector<std::byte>& bytes)
+{
+    std::vector<T> items(bytes.size() / sizeof(T));
+    if (!items.empty()) std::memcpy(items.data(), bytes.data(), bytes.size());
+    return items;
+}
+
+/// A halo value on its way home, with what fixes its place in the sum.
+struct HomeBound {
+    CellPlace home;
+    BlockId target;
+    std::int64_t element;
+    int rank;
+    std::ptrdiff_t slot;
+    CellPlace place;
+    double weight;
+};
+
+} // namespace
+
+HaloExchange::HaloExchange(const Mesh& mesh, const Communicator& communicator, int field_halo, int width, HaloShape shape)
+    : communicator_(communicator.duplicate())
+{
+    request(mesh, communicator, field_halo, width, shape);
+}
+
+void HaloExchange::request(const Mesh& mesh, const Communicator& communicator, int field_halo, int width, HaloShape shape)
+{
+    std::vector<std::vector<Request>> requests(std::size_t(communicator.size()));
+    std::vector<HomeBound> bound;
+    for (LocalBlock b = 0; b < mesh.own_count(); ++b) {
+        const Extents n = mesh.own_cells()[std::size_t(b)];
+        for (const HaloRow& row : halo_rows(mesh.topology(), mesh.global(b), width, shape)) {
+            const CellPlace target{b, offset_of(n, field_halo, row.cell)};
+            const std::int64_t element = offset_of(n, width, row.cell);
+            Row r{target, int(sources_.size()), 0};
+            for (const HaloSource& s : row.sources) {
+                const int rank = mesh.owner(s.block);
+                if (rank == communicator.rank()) {
+                    const CellPlace place{mesh.local(s.block), offset_of(mesh.cells(s.block), field_halo, s.cell)};
+                    sources_.push_back({-1, 0, place, s.weight});
+                    bound.push_back({place, mesh.global(b), element, -1, 0, target, s.weight});
+                } else {
+                    auto& list = requests[std::size_t(rank)];
+                    sources_.push_back({rank, std::ptrdiff_t(list.size()), {}, s.weight});
+                    list.push_back({s.block, s.cell, mesh.global(b), element, s.weight});
+                }
+            }
+            r.last = int(sources_.size());
+            rows_.push_back(r);
+        }
+    }
+    std::vector<std::vector<std::byte>> asked;
+    for (const auto& list : requests) {
+        asked.push_back(to_bytes(list));
+        wanted_there_.push_back(std::ptrdiff_t(list.size()));
+    }
+    for (const auto& bytes : communicator.exchange_all(asked)) {
+        const int rank = int(wanted_from_here_.size());
+        auto& wanted = wanted_from_here_.emplace_back();
+        for (const Request& q : from_bytes<Request>(bytes)) {
+            const CellPlace place{mesh.local(q.block), offset_of(mesh.cells(q.block), field_halo, q.cell)};
+            bound.push_back({place, q.target, q.element, rank, std::ptrdiff_t(wanted.size()), {}, q.weight});
+            wanted.push_back(place);
+        }
+    }
+    std::sort(bound.begin(), bound.end(), [](const HomeBound& a, const HomeBound& b) {
+        return std::tuple(a.home.block, a.home.offset, a.target, a.element) < std::tuple(b.home.block, b.home.offset, b.target, b.element);
+    });
+    for (const HomeBound& h : bound) {
+        const bool another = homes_.empty() || homes_.back().target.block != h.home.block || homes_.back().target.offset != h.home.offset;
+        if (another) homes_.push_back({h.home, int(contributions_.size()), 0});
+        contributions_.push_back({h.rank, h.slot, h.place, h.weight});
+        homes_.back().last = int(contributions_.size());
+    }
+}
+
+void HaloExchange::post(Flight& flight, bool transpose, std::size_t arrays) const
+{
+    const std::size_t ranks = wanted_there_.size();
+    flight.received.resize(ranks);
+    for (std::size_t r = 0; r < ranks; ++r) {
+        const std::size_t in = (transpose ? wanted_from_here_[r].size() : std::size_t(wanted_there_[r])) * arrays;
+        flight.received[r].resize(in);
+        const int tag = transpose ? tag_transpose : tag_fill;
+        if (in > 0) communicator_.receive(std::as_writable_bytes(std::span(flight.received[r])), int(r), tag, flight.pending);
+        if (!flight.sent[r].empty()) communicator_.send(std::as_bytes(std::span(flight.sent[r])), int(r), tag, flight.pending);
+    }
+}
+
+void HaloExchange::start_arrays(const Arrays& arrays, Flight& flight) const
+{
+    const std::size_t count = arrays.empty() ? 0 : arrays[0].size();
+    flight.sent.resize(wanted_from_here_.size());
+    for (std::size_t r = 0; r < wanted_from_here_.size(); ++r) {
+        auto& buffer = flight.sent[r];
+        buffer.clear();
+        for (const CellPlace& p : wanted_from_here_[r])
+            for (std::size_t a = 0; a < count; ++a) buffer.push_back(arrays[std::size_t(p.block)][a][p.offset]);
+    }
+    post(flight, false, count);
+}
+
+void HaloExchange::finish_arrays(const Arrays& arrays, const Flight& flight) const
+{
+    const std::size_t count = arrays.empty() ? 0 : arrays[0].size();
+    const auto value = [&](const Source& s, std::size_t a) {
+        return s.rank < 0 ? arrays[std::size_t(s.place.block)][a][s.place.offset]
+                          : flight.received[std::size_t(s.rank)][std::size_t(s.slot) * count + a];
+    };
+    for (const Row& row : rows_) {
+        const auto& target = arrays[std::size_t(row.target.block)];
+        const Source& first = sources_[std::size_t(row.first)];
+        for (std::size_t a = 0; a < count; ++a) {
+            double sum = value(first, a);
+            if (row.last - row.first > 1) {
+                sum *= first.weight;
+                for (int s = row.first + 1; s < row.last; ++s) sum += sources_[std::size_t(s)].weight * value(sources_[std::size_t(s)], a);
+            }
+            target[a][row.target.offset] = sum;
+        }
+    }
+}
+
+void HaloExchange::start_transpose_arrays(const Arrays& arrays, Flight& flight) const
+{
+    const std::size_t count = arrays.empty() ? 0 : arrays[0].size();
+    flight.sent.resize(wanted_there_.size());
+    for (std::size_t r = 0; r < wanted_there_.size(); ++r) flight.sent[r].assign(std::size_t(wanted_there_[r]) * count, 0.0);
+    for (const Row& row : rows_)
+        for (int n = row.first; n < row.last; ++n) {
+            const Source& s = sources_[std::size_t(n)];
+            if (s.rank < 0) continue;
+            for (std::size_t a = 0; a < count; ++a)
+                flight.sent[std::size_t(s.rank)][std::size_t(s.slot) * count + a] = arrays[std::size_t(row.target.block)][a][row.target.offset];
+        }
+    post(flight, true, count);
+}
+
+void HaloExchange::finish_transpose_arrays(const Arrays& arrays, const Flight& flight) const
+{
+    const std::size_t count = arrays.empty() ? 0 : arrays[0].size();
+    for (const Home& home : homes_)
+        for (std::size_t a = 0; a < count; ++a) {
+            double& sum = arrays[std::size_t(home.target.block)][a][home.target.offset];
+            for (int n = home.first; n < home.last; ++n) {
+                const Contribution& c = contributions_[std::size_t(n)];
+                sum += c.weight * (c.rank < 0 ? arrays[std::size_t(c.place.block)][a][c.place.offset]
+                                              : flight.received[std::size_t(c.rank)][std::size_t(c.slot) * count + a]);
+            }
+        }
+    for (const Row& row : rows_)
+        for (std::size_t a = 0; a < count; ++a) arrays[std::size_t(row.target.block)][a][row.target.offset] = 0;
+}
+
+} // namespace core

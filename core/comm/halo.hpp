@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// Filling the halos of cell fields from the blocks beyond: copies inside the rank, one message between each pair of
+// ranks. start() and finish() enclose the waiting, so that a task can do other work meanwhile. The transpose adds what
+// was deposited in halos to the cells that it belongs to.
+#include "core/comm/communicator.hpp"
+#include "core/field/field.hpp"
+#include "core/grid/mesh.hpp"
+
+namespace core {
+
+/// A place in the arrays of the local blocks.
+struct CellPlace {
+    LocalBlock block;
+    std::ptrdiff_t offset; ///< from cell (0, 0, 0)
+};
+
+class HaloExchange {
+public:
+    /// Buffers and messages of one exchange on its way. Must stay at its place until finished.
+    struct Flight {
+        Pending pending;
+        std::vector<std::vector<double>> sent, received; ///< by rank
+    };
+
+    /// Plan for fields with `field_halo` layers of which `width` are filled. Collective.
+    HaloExchange(const Mesh& mesh, const Communicator& communicator, int field_halo, int width, HaloShape shape);
+
+    /// Packs and sends; copies what lies on this rank.
+    template <std::size_t N>
+    void start(FieldStorage<N>& field, Flight& flight) const
+    {
+        start_arrays(arrays_of(field), flight);
+    }
+    /// Unpacks once flight.pending is done.
+    template <std::size_t N>
+    void finish(FieldStorage<N>& field, Flight& flight) const
+    {
+        finish_arrays(arrays_of(field), flight);
+    }
+    /// The transpose: halo values go home, to be added there in a fixed order; halos are left at zero.
+    template <std::size_t N>
+    void start_transpose(FieldStorage<N>& field, Flight& flight) const
+    {
+        start_transpose_arrays(arrays_of(field), flight);
+    }
+    template <std::size_t N>
+    void finish_transpose(FieldStorage<N>& field, Flight& flight) const
+    {
+        finish_transpose_arrays(arrays_of(field), flight);
+    }
+    /// start() and finish(), waiting in between: for set-up and tests.
+    template <std::size_t N>
+    void fill(FieldStorage<N>& field) const
+    {
+        Flight flight;
+        start(field, flight);
+        flight.pending.wait();
+        finish(field, flight);
+    }
+    template <std::size_t N>
+    void add_home(FieldStorage<N>& field) const
+    {
+        Flight flight;
+        start_transpose(field, flight);
+        flight.pending.wait();
+        finish_transpose(field, flight);
+    }
+
+private:
+    /// Origins of the arrays: [block][array], pointers to cell (0, 0, 0).
+    using Arrays = std::vector<std::vector<double*>>;
+    /// One source of one halo cell; `slot` counts in the message of `rank`, or `place` on this rank (rank < 0).
+    struct Source {
+        int rank;
+        std::ptrdiff_t slot;
+        CellPlace place;
+        double weight;
+    };
+    struct Row {
+        CellPlace target;
+        int first, last; ///< in sources_
+    };
+
+    template <std::size_t N>
+    static Arrays arrays_of(FieldStorage<N>& field);
+    void request(const Mesh& mesh, const Communicator& communicator, int field_halo, int width, HaloShape shape);
+    void start_arrays(const Arrays& arrays, Flight& flight) const;
+    void finish_arrays(const Arrays& arrays, const Flight& flight) const;
+    void start_transpose_arrays(const Arrays& arrays, Flight& flight) const;
+    void finish_transpose_arrays(const Arrays& arrays, const Flight& flight) const;
+    void post(Flight& flight, bool transpose, std::size_t arrays) const;
+
+    Communicator communicator_;
+    std::vector<Row> rows_;
+    std::vector<Source> sources_;
+    std::vector<std::vector<CellPlace>> wanted_from_here_; ///< [rank]: cells whose values that rank asks for
+    std::vector<std::ptrdiff_t> wanted_there_;             ///< [rank]: number of values this rank asks for
+    /// The transposed sum of each interior cell, in an order that no decomposition changes.
+    struct Home {
+        CellPlace target;
+        int first, last; ///< in contributions_
+    };
+    struct Contribution {
+        int rank; ///< -1: `place` on this rank
+        std::ptrdiff_t slot;
+        CellPlace place;
+        double weight;
+    };
+    std::vector<Home> homes_;
+    std::vector<Contribution> contributions_;
+};
+
+template <std::size_t N>
+HaloExchange::Arrays HaloExchange::arrays_of(FieldStorage<N>& field)
+{
+    Arrays arrays(field.blocks());
+    for (std::size_t b = 0; b < field.blocks(); ++b)
+        for (std::size_t a = 0; a < N; ++a) arrays[b].push_back(field.origin(LocalBlock(b), a));
+    return arrays;
+}
+
+} // namespace core

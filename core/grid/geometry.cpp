@@ -1,0 +1,193 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/grid/geometry.hpp"
+#include "core/grid/hexahedron.hpp"
+#include "core/grid/mesh.hpp"
+
+#include <Eigen/Dense>
+
+namespace core {
+namespace {
+
+Index3 shifted(Index3 c, int axis, int by)
+{
+    c[axis] += by;
+    return c;
+}
+
+void set_centre(BlockGeometry& g, Index3 c, const Vec3& x)
+{
+    g.centre_x(c.i, c.j, c.k) = x.x();
+    g.centre_y(c.i, c.j, c.k) = x.y();
+    g.centre_z(c.i, c.j, c.k) = x.z();
+}
+
+Vec3 centre(const BlockGeometry& g, Index3 c) { return g.centre(c.i, c.j, c.k); }
+
+/// Centre of a boundary face, continued linearly to the halo of the tangential directions.
+Vec3 boundary_face_centre(const Vertices& v, Side side, Index3 c, Extents n)
+{
+    const int axis = axis_of(side);
+    const auto at = [&](Index3 cell) {
+        cell[axis] = is_high(side) ? n[axis] : 0;
+        return face_shape(face_corners(v, axis, cell)).centre;
+    };
+    Index3 inside = c;
+    for (int m = 0; m < 3; ++m)
+        if (m != axis) inside[m] = std::clamp(c[m], 0, n[m] - 1);
+    Vec3 x = at(inside);
+    for (int m = 0; m < 3; ++m) {
+        if (m == axis || c[m] == inside[m] || n[m] < 2) continue;
+        const int inward = c[m] < 0 ? 1 : -1;
+        x += double(std::abs(c[m] - inside[m])) * (at(inside) - at(shifted(inside, m, inward)));
+    }
+    return x;
+}
+
+/// Beyond a boundary, centres are mirrored in its face, so that a mirrored field is smooth.
+void mirror_centres(BlockGeometry& g, const Vertices& v, Side side)
+{
+    const int axis = axis_of(side), h = centre_halo;
+    Index3 low{-h, -h, -h}, high{g.cells.ni + h, g.cells.nj + h, g.cells.nk + h};
+    low[axis] = is_high(side) ? g.cells[axis] : -h;
+    high[axis] = is_high(side) ? g.cells[axis] + h : 0;
+    for_each(low, high, [&](int i, int j, int k) {
+        const Index3 c{i, j, k};
+        Index3 inside = c;
+        inside[axis] = is_high(side) ? 2 * g.cells[axis] - 1 - c[axis] : -1 - c[axis];
+        inside[axis] = std::clamp(inside[axis], -h, g.cells[axis] + h - 1);
+        set_centre(g, c, 2 * boundary_face_centre(v, side, c, g.cells) - centre(g, inside));
+    });
+}
+
+void fill_centres(BlockGeometry& g, const MultiBlock& grid, const Topology& topology, BlockId block)
+{
+    const Vertices& v = grid.blocks[std::size_t(block)];
+    for (auto* array : {&g.centre_x, &g.centre_y, &g.centre_z}) *array = Array3<double>(g.cells, centre_halo, 0.0);
+    for_each_cell(g.cells, [&](int i, int j, int k) { set_centre(g, {i, j, k}, cell_shape(v, {i, j, k}).centroid); });
+    for (const HaloRow& row : halo_rows(topology, block, centre_halo, HaloShape::full)) {
+        Vec3 x = Vec3::Zero();
+        for (const HaloSource& s : row.sources)
+            x += s.weight * (cell_shape(grid.blocks[std::size_t(s.block)], s.cell).centroid - s.shift);
+        set_centre(g, row.cell, x);
+        if (row.sources.size() == 1) continue;
+        constexpr int reach = centre_halo;
+        for_each({row.cell.i - reach, row.cell.j - reach, row.cell.k - reach},
+                 {row.cell.i + reach + 1, row.cell.j + reach + 1, row.cell.k + reach + 1}, [&](int i, int j, int k) {
+                     if (g.cells.contains({i, j, k})) g.near_singular(i, j, k) = 1;
+                 });
+    }
+    for (Side s : all_sides)
+        if (!topology.neighbour(block, s)) mirror_centres(g, v, s);
+}
+
+void fill_face(BlockGeometry& g, const Topology& topology, const Vertices& v, BlockId block, int axis, Index3 c)
+{
+    const FaceShape shape = face_shape(face_corners(v, axis, c));
+    const bool low_boundary = c[axis] == 0 && !topology.neighbour(block, side_of(axis, false));
+    const bool high_boundary = c[axis] == g.cells[axis] && !topology.neighbour(block, side_of(axis, true));
+    const Vec3 from = low_boundary ? shape.centre : centre(g, shifted(c, axis, -1));
+    const Vec3 to = high_boundary ? shape.centre : centre(g, c);
+    const Vec3 d = to - from;
+    const double across = shape.area.dot(d), t = shape.area.squaredNorm() / across;
+    const Vec3 cross = shape.area - t * d;
+    FaceMetrics& f = g.face[std::size_t(axis)];
+    f.area_x(c.i, c.j, c.k) = shape.area.x();
+    f.area_y(c.i, c.j, c.k) = shape.area.y();
+    f.area_z(c.i, c.j, c.k) = shape.area.z();
+    f.transmissibility(c.i, c.j, c.k) = t;
+    f.cross_x(c.i, c.j, c.k) = cross.x();
+    f.cross_y(c.i, c.j, c.k) = cross.y();
+    f.cross_z(c.i, c.j, c.k) = cross.z();
+    f.weight(c.i, c.j, c.k) = low_boundary ? 0.0 : high_boundary ? 1.0 : shape.area.dot(shape.centre - from) / across;
+}
+
+void fill_faces(BlockGeometry& g, const Topology& topology, const Vertices& v, BlockId block)
+{
+    for (int axis = 0; axis < 3; ++axis) {
+        Extents n = g.cells;
+        (axis == 0 ? n.ni : axis == 1 ? n.nj : n.nk) += 1;
+        FaceMetrics& f = g.face[std::size_t(axis)];
+        for (auto* array : {&f.area_x, &f.area_y, &f.area_z, &f.transmissibility, &f.cross_x, &f.cross_y, &f.cross_z, &f.weight})
+            *array = Array3<double>(n, 0, 0.0);
+        for_each_cell(n, [&](int i, int j, int k) { fill_face(g, topology, v, block, axis, {i, j, k}); });
+    }
+}
+
+/// Inverse of a symmetric positive semi-definite matrix; directions without neighbours get no gradient.
+Mat3 pseudo_inverse(const Mat3& m)
+{
+    const Eigen::SelfAdjointEigenSolver<Mat3> solver(m);
+    const double largest = solver.eigenvalues().maxCoeff();
+    Mat3 inverse = Mat3::Zero();
+    for (int n = 0; n < 3; ++n) {
+        const double value = solver.eigenvalues()[n];
+        const Vec3 direction = solver.eigenvectors().col(n);
+        if (value > 1e-9 * largest) inverse += direction * direction.transpose() / value;
+    }
+    return inverse;
+}
+
+void fill_gradients(BlockGeometry& g, const Topology& topology, const Vertices& v, BlockId block)
+{
+    for (GradientMatrices* m : {&g.gradient, &g.wall_gradient})
+        for (auto* array : {&m->xx, &m->xy, &m->xz, &m->yy, &m->yz, &m->zz}) *array = Array3<double>(g.cells, 0, 0.0);
+    const auto store = [](GradientMatrices& m, Index3 c, const Mat3& a) {
+        m.xx(c.i, c.j, c.k) = a(0, 0);
+        m.xy(c.i, c.j, c.k) = a(0, 1);
+        m.xz(c.i, c.j, c.k) = a(0, 2);
+        m.yy(c.i, c.j, c.k) = a(1, 1);
+        m.yz(c.i, c.j, c.k) = a(1, 2);
+        m.zz(c.i, c.j, c.k) = a(2, 2);
+    };
+    for_each_cell(g.cells, [&](int i, int j, int k) {
+        const Index3 c{i, j, k};
+        Mat3 free = Mat3::Zero(), walls = Mat3::Zero();
+        for (Side s : all_sides) {
+            const int axis = axis_of(s);
+            const bool boundary = c[axis] == (is_high(s) ? g.cells[axis] - 1 : 0) && !topology.neighbour(block, s);
+            const Index3 face = is_high(s) ? shifted(c, axis, 1) : c;
+            const Vec3 d = (boundary ? face_shape(face_corners(v, axis, face)).centre : centre(g, shifted(c, axis, is_high(s) ? 1 : -1))) - centre(g, c);
+            const Mat3 part = d * d.transpose() / d.squaredNorm();
+            (boundary ? walls : free) += part;
+        }
+        store(g.gradient, c, pseudo_inverse(free));
+        store(g.wall_gradient, c, pseudo_inverse(free + walls));
+    });
+}
+
+void fill_inverse_jacobians(BlockGeometry& g)
+{
+    constexpr int h = centre_halo - 1;
+    for (auto& row : g.inverse_jacobian)
+        for (auto& array : row) array = Array3<double>(g.cells, h, 0.0);
+    for_each({-h, -h, -h}, {g.cells.ni + h, g.cells.nj + h, g.cells.nk + h}, [&](int i, int j, int k) {
+        const Index3 c{i, j, k};
+        Mat3 jacobian;
+        for (int m = 0; m < 3; ++m) jacobian.col(m) = 0.5 * (centre(g, shifted(c, m, 1)) - centre(g, shifted(c, m, -1)));
+        const double scale = jacobian.col(0).norm() * jacobian.col(1).norm() * jacobian.col(2).norm();
+        const bool regular = std::abs(jacobian.determinant()) > 1e-6 * scale;
+        const Mat3 inverse = regular ? Mat3(jacobian.inverse()) : Mat3(Mat3::Zero());
+        for (std::size_t m = 0; m < 3; ++m)
+            for (std::size_t n = 0; n < 3; ++n) g.inverse_jacobian[m][n](i, j, k) = inverse(int(m), int(n));
+    });
+}
+
+} // namespace
+
+BlockGeometry make_geometry(const MultiBlock& grid, const Topology& topology, BlockId block)
+{
+    const Vertices& v = grid.blocks[std::size_t(block)];
+    BlockGeometry g;
+    g.cells = topology.cells[std::size_t(block)];
+    g.volume = Array3<double>(g.cells, 0, 0.0);
+    g.near_singular = Array3<unsigned char>(g.cells, 0, 0);
+    for_each_cell(g.cells, [&](int i, int j, int k) { g.volume(i, j, k) = cell_shape(v, {i, j, k}).volume; });
+    fill_centres(g, grid, topology, block);
+    fill_faces(g, topology, v, block);
+    fill_gradients(g, topology, v, block);
+    fill_inverse_jacobians(g);
+    return g;
+}
+
+} // namespace core

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// Where the halo cells of a block really lie: found by walking through its sides, also round edges and corners.
+#include "core/grid/topology.hpp"
+
+namespace core {
+
+/// A cell somewhere in the domain, seen from a block.
+struct HaloSource {
+    BlockId block = -1;
+    Index3 cell;
+    Vec3 shift = Vec3::Zero(); ///< position in its own block = position seen from here + shift
+    double weight = 1;
+};
+
+/// The sources of one halo cell. One source as a rule; round a singular edge of the grid (where three or five blocks
+/// meet) the different ways round are averaged; none beyond a boundary.
+struct HaloRow {
+    Index3 cell;
+    std::vector<HaloSource> sources;
+};
+
+enum class HaloShape {
+    faces, ///< only cells straight beyond a side
+    full   ///< edges and corners too
+};
+
+/// Rows of all halo cells of a block up to `width` layers that have a source, in index order.
+[[nodiscard]] std::vector<HaloRow> halo_rows(const Topology& topology, BlockId block, int width, HaloShape shape);
+
+} // namespace core

@@ -1,0 +1,116 @@
+# SPDX-FileCopyrightText: 2026 The Isago authors
+# SPDX-License-Identifier: Apache-2.0
+"""Settling and stirred grains: LAMMPS, LIGGGHTS and ours with the same law, step, skin and start.
+
+Linear springs with damping and sliding friction between grains and with analytic walls: kn = 1000 N/m, kt = 2/7 kn,
+gamma_n = 4960 1/s (restitution 0.6 for 2 mm grains), gamma_t = 2480 1/s, mu = 0.5, step 1e-5 s, skin 0.5 mm.
+"""
+import os
+import sys
+
+import numpy as np
+
+import particles
+from measure import REPEATS, number, run, table
+
+STEPS = {"pipe1": 50000, "pipe10": 2500, "bed1": 40000, "bed100": 200}
+NORMAL, TANGENTIAL, DAMPING, DAMPING_TANGENTIAL, FRICTION, TIME_STEP = 1000, 2000 / 7, 4960, 2480, 0.5, 1e-5
+LAW = f"{NORMAL} {TANGENTIAL:.6g} {DAMPING} {DAMPING_TANGENTIAL} {FRICTION} 1"
+
+COMMON_HEAD = """units si
+newton off
+boundary {boundary}
+"""
+COMMON_TAIL = """neigh_modify delay 0 every 1 check yes
+fix gravity all gravity 9.81 vector {gravity}
+fix move all nve/sphere
+timestep {time_step}
+compute touching all contact/atom
+compute contacts all reduce ave c_touching
+compute height all reduce ave {up}
+thermo_style custom step atoms ke c_height c_contacts
+thermo {every}
+thermo_modify norm no lost error
+run {steps}
+{dump}
+"""
+LAMMPS = "atom_style sphere\n" + COMMON_HEAD + """comm_modify vel yes
+read_data {scene}.data
+neighbor 0.0005 bin
+pair_style gran/hooke/history {law}
+pair_coeff * *
+fix wall all wall/gran hooke/history {law} {lammps_wall}
+""" + COMMON_TAIL
+LIGGGHTS = "atom_style granular\natom_modify map array\ncommunicate single vel yes\n" + COMMON_HEAD + """read_data {scene}.data
+neighbor 0.0005 bin
+fix p1 all property/global kn peratomtypepair 1 {normal}
+fix p2 all property/global kt peratomtypepair 1 {tangential}
+fix p3 all property/global gamman peratomtypepair 1 {damping}
+fix p4 all property/global gammat peratomtypepair 1 {damping_tangential}
+fix p5 all property/global coefficientFriction peratomtypepair 1 {friction}
+pair_style gran model hooke/stiffness tangential history
+pair_coeff * *
+fix wall all wall/gran model hooke/stiffness tangential history primitive type 1 {liggghts_wall}
+""" + COMMON_TAIL
+PIPE = {"boundary": "f f p", "gravity": "0 -1 0", "up": "y",
+        "lammps_wall": "zcylinder 0.025", "liggghts_wall": "zcylinder 0.025 0 0"}
+BED = {"boundary": "p p f", "gravity": "0 0 -1", "up": "z",
+       "lammps_wall": "zplane 0 NULL", "liggghts_wall": "zplane 0"}
+
+
+def deck(template, scene, steps, dump=""):
+    """Writes the input file of one code and returns its name."""
+    name = f"in.{'lammps' if template is LAMMPS else 'liggghts'}.{scene}"
+    with open(name, "w", encoding="ascii") as stream:
+        stream.write(template.format(
+            scene=scene, steps=steps, every=max(1, steps // 25), dump=dump, law=LAW, normal=NORMAL,
+            tangential=f"{TANGENTIAL:.6g}", damping=DAMPING, damping_tangential=DAMPING_TANGENTIAL, friction=FRICTION,
+            time_step=TIME_STEP, **(PIPE if scene.startswith("pipe") else BED)))
+    return name
+
+
+def settle(scene):
+    """Runs the loose scene to rest with LAMMPS; places and diameters in the order of the grains."""
+    dump = f"write_dump all custom {scene}.settled id diameter x y z modify sort id format float %.10g"
+    run(["lmp", "-in", deck(LAMMPS, scene, STEPS[scene], dump), "-log", "none"], f"{scene}.settle.log")
+    rows = np.loadtxt(f"{scene}.settled", skiprows=9)
+    return rows[:, 2:5], rows[:, 1]
+
+
+def peer(program, template):
+    def measured(scene, steps, cores):
+        result = run([program, "-in", deck(template, scene, steps), "-log", "none"], f"{program}.{scene}.log", cores)
+        seconds = number(r"^Loop time of ([\d.e+-]+) ", result.output)
+        rows = [line.split() for line in result.output.splitlines() if line.strip().startswith(f"{steps} ")]
+        print(f"  {program} {scene}: mean height {1e3 * float(rows[-1][3]):.3f} mm, contacts per grain {float(rows[-1][4]):.3f}")
+        return seconds, result.foreign
+
+    return measured
+
+
+def ours(scene, steps, cores):
+    program = os.path.join(os.environ["ISAGO_ROOT"], "build/release/tests/dem_bench")
+    result = run([program, f"{scene}.txt", "pipe" if scene.startswith("pipe") else "bed", str(steps), str(cores)], f"isago.{scene}.log")
+    print("  " + result.output.strip().replace("\n", "\n  "))
+    return number(r"loop ([\d.e+-]+) s", result.output), result.foreign
+
+
+def main(scenes, steps, cores):
+    codes = {"lammps": peer("lmp", LAMMPS), "liggghts": peer("liggghts", LIGGGHTS)}
+    if os.path.exists(os.path.join(os.environ["ISAGO_ROOT"], "build/release/tests/dem_bench")):
+        codes["isago"] = ours
+    else:
+        print("build/release/tests/dem_bench is not built: the other codes alone")
+    for scene in scenes:
+        particles.prepare(scene, settle)
+        count, turns = len(np.loadtxt(f"{scene}.txt")), steps or STEPS[scene]
+        samples = {code: [] for code in codes}
+        for _ in range(REPEATS):
+            for code, measured in codes.items():
+                seconds, foreign = measured(scene, turns, cores)
+                samples[code].append((count * turns / seconds / 1e6, foreign))
+        table(f"{scene}: {count} grains, {turns} steps, {cores} core(s)", "million grain-steps/s", samples)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:2] or ["pipe1", "pipe10", "bed100"], int((sys.argv[2:3] or [0])[0]), int((sys.argv[3:4] or [1])[0]))

@@ -1,0 +1,32 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: 2026 The Isago authors
+# SPDX-License-Identifier: Apache-2.0
+# Other codes beside ours, on equal work, from Debian's packages. Works in build/peers; prints times and ratios.
+#   run.sh install                          apt-get the other codes (as root or with sudo)
+#   run.sh dem [SCENE [STEPS [CORES]]]      LIGGGHTS, LAMMPS and ours; SCENE: pipe1 pipe10 bed100, default all
+#   run.sh coupled [CELLS [UNTIL [CORES]]]  OpenFOAM's DPMFoam and ours; CELLS: 1920 20160, default both
+#   run.sh fluid [CORES]                    OpenFOAM's icoFoam: oscillating flow in the same pipe, no particles
+# REPEATS=3 takes that many turns, one code after the other, and prints medians.
+set -euo pipefail
+here=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")" && pwd)
+root=$(cd "$here/../../.." && pwd)
+export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMP_NUM_THREADS=1 WM_PROJECT_DIR=/usr/share/openfoam
+export ISAGO_ROOT=$root PYTHONDONTWRITEBYTECODE=1
+
+case ${1:-} in
+install)
+    ((EUID == 0)) && as_root=() || as_root=(sudo)
+    "${as_root[@]}" apt-get -qq update
+    "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -qq -y -o DPkg::Lock::Timeout=600 \
+        install --no-install-recommends liggghts lammps openfoam openmpi-bin python3-numpy >/dev/null
+    ;;
+dem | coupled | fluid)
+    mkdir -p "$root/build/peers"
+    cd "$root/build/peers"
+    exec /usr/bin/python3 "$here/$1.py" "${@:2}"
+    ;;
+*)
+    sed -n '4,9s/^# \?//p' "$here/run.sh"
+    exit 2
+    ;;
+esac

@@ -14,7 +14,7 @@ import numpy as np
 
 import foam_pipe as foam
 import particles
-from measure import REPEATS, number, run, table
+from measure import REPEATS, number, rate, run, table
 
 STEP, DRIVE, YOUNG = 2.5e-4, 33.333, 1e7  # [s], [m/s2], [Pa]
 CONTACT = "alpha 0.2; b 1.5; mu 0.5; cohesionEnergyDensity 0; collisionResolutionSteps 12;"
@@ -122,8 +122,8 @@ def main(grids, until, cores):
         for _ in range(REPEATS):
             for code, measured in codes.items():
                 result = measured(cells, until, cores)
-                samples[code].append((result.wall / until, result.foreign))
-        table(f"{cells} cells, 1600 grains, {until} s, {cores} core(s)", "s wall per simulated s", samples)
+                samples[code].append(rate(until * 1e3, result.wall, result.busy(cores), result.foreign))
+        table(f"{cells} cells, 1600 grains, {until} s, {cores} core(s)", "simulated ms/s", samples)
 
 
 if __name__ == "__main__":

@@ -11,7 +11,7 @@ import sys
 import numpy as np
 
 import particles
-from measure import REPEATS, number, run, table
+from measure import REPEATS, number, rate, run, table
 
 STEPS = {"pipe1": 50000, "pipe10": 2500, "bed1": 40000, "bed100": 200}
 NORMAL, TANGENTIAL, DAMPING, DAMPING_TANGENTIAL, FRICTION, TIME_STEP = 1000, 2000 / 7, 4960, 2480, 0.5, 1e-5
@@ -83,7 +83,7 @@ def peer(program, template):
         seconds = number(r"^Loop time of ([\d.e+-]+) ", result.output)
         rows = [line.split() for line in result.output.splitlines() if line.strip().startswith(f"{steps} ")]
         print(f"  {program} {scene}: mean height {1e3 * float(rows[-1][3]):.3f} mm, contacts per grain {float(rows[-1][4]):.3f}")
-        return seconds, result.foreign
+        return seconds, result.busy(cores), result.foreign
 
     return measured
 
@@ -92,7 +92,7 @@ def ours(scene, steps, cores):
     program = os.path.join(os.environ["ISAGO_ROOT"], "build/release/tests/dem_bench")
     result = run([program, f"{scene}.txt", "pipe" if scene.startswith("pipe") else "bed", str(steps), str(cores)], f"isago.{scene}.log")
     print("  " + result.output.strip().replace("\n", "\n  "))
-    return number(r"loop ([\d.e+-]+) s", result.output), result.foreign
+    return number(r"loop ([\d.e+-]+) s", result.output), result.busy(cores), result.foreign
 
 
 def main(scenes, steps, cores):
@@ -107,8 +107,7 @@ def main(scenes, steps, cores):
         samples = {code: [] for code in codes}
         for _ in range(REPEATS):
             for code, measured in codes.items():
-                seconds, foreign = measured(scene, turns, cores)
-                samples[code].append((count * turns / seconds / 1e6, foreign))
+                samples[code].append(rate(count * turns / 1e6, *measured(scene, turns, cores)))
         table(f"{scene}: {count} grains, {turns} steps, {cores} core(s)", "million grain-steps/s", samples)
 
 

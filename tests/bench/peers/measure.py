@@ -19,6 +19,9 @@ class Run:
     foreign: float  # cores that other programs kept busy on average
     output: str
 
+    def busy(self, cores):
+        return self.cpu / (self.wall * cores)
+
 
 def busy_seconds():
     """CPU seconds of the whole machine since it started, without waiting."""
@@ -55,17 +58,25 @@ def number(pattern, text):
     return float(found[-1])
 
 
-def table(title, unit, samples):
-    """Prints the median of each code's samples and its ratio to the first code's.
+def rate(work, seconds, busy, foreign):
+    """Work per second by the clock, and per second that the code had a processor, which tells more on a busy machine.
 
-    samples: {code: [(value, foreign cores)]}.
+    busy: share of `seconds` in which each of the code's cores worked for it.
     """
-    medians = {code: statistics.median(value for value, _ in values) for code, values in samples.items() if values}
-    reference = next(iter(medians.values()))
+    return work / seconds, work / (seconds * busy), foreign
+
+
+def table(title, unit, samples):
+    """Prints the median rates of each code and their ratios to the first code's.
+
+    samples: {code: [what rate() returned]}.
+    """
     print(title)
-    for code, median in medians.items():
-        values = [value for value, _ in samples[code]]
-        spread = (max(values) - min(values)) / median
-        foreign = max(foreign for _, foreign in samples[code])
-        print(f"  {code:10s} {median:10.4g} {unit}   {median / reference:6.3f} of {next(iter(medians))}"
-              f"   n={len(values)}, spread {spread:.0%}, others used up to {foreign:.2f} cores")
+    first = None
+    for code, rates in samples.items():
+        wall, cpu, foreign = ([one[i] for one in rates] for i in range(3))
+        medians = statistics.median(wall), statistics.median(cpu)
+        first = first or medians
+        print(f"  {code:9s} {medians[0]:10.4g} {unit} by the clock (x {medians[0] / first[0]:.2f}), {medians[1]:.4g} by processor"
+              f" time (x {medians[1] / first[1]:.2f}); n={len(rates)}, spread {(max(wall) - min(wall)) / medians[0]:.0%},"
+              f" others used up to {max(foreign):.2f} cores")

@@ -11,7 +11,7 @@ set -euo pipefail
 here=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")" && pwd)
 root=$(cd "$here/../../.." && pwd)
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMP_NUM_THREADS=1 WM_PROJECT_DIR=/usr/share/openfoam
-export ISAGO_ROOT=$root PYTHONDONTWRITEBYTECODE=1
+export OMPI_MCA_ess_singleton_isolated=1 OMPI_MCA_hwloc_base_binding_policy=none ISAGO_ROOT=$root PYTHONDONTWRITEBYTECODE=1
 
 case ${1:-} in
 install)

@@ -13,6 +13,8 @@ if(ISAGO_ASSERTIONS)
   string(REPLACE "-DNDEBUG" "" CMAKE_CXX_FLAGS_RELEASE "${CMAKE_CXX_FLAGS_RELEASE}")
 endif()
 if(ISAGO_TRAP_FPE)
+  # Without -ftrapping-math the compiler may divide where the program does not, and the trap would be false.
+  target_compile_options(isago_options INTERFACE -ftrapping-math)
   target_compile_definitions(isago_options INTERFACE ISAGO_TRAP_FPE=1)
 endif()
 set(CMAKE_CXX_EXTENSIONS OFF)

@@ -6,6 +6,7 @@
 #include "core/comm/communicator.hpp"
 #include "core/field/field.hpp"
 #include <atomic>
+#include <cstdint>
 #include <exception>
 #include <mutex>
 #include <optional>
@@ -42,8 +43,10 @@ public:
     [[nodiscard]] bool set() const { return set_.load(std::memory_order_relaxed); }
     /// Another rank has failed.
     void spread() { set_ = true; }
-    /// Records the exception that is being handled, if it is the first; ignores Poisoned.
-    void record_current(const std::string& stage, core::LocalBlock block);
+    /// Records `error` if it is the first; ignores Poisoned.
+    void record(const std::exception_ptr& error, const std::string& stage, core::LocalBlock block);
+    /// The first failure of this rank, if any.
+    [[nodiscard]] std::optional<Failure> first() const;
     void clear(std::int64_t step, int rank);
     /// The failure that all ranks report: that of the lowest rank that has one; none if no rank has failed. Collective.
     [[nodiscard]] std::optional<Failure> agree(const core::Communicator& ranks) const;

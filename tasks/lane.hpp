@@ -69,7 +69,7 @@ public:
         try {
             body();
         } catch (...) {
-            context_.poison.record_current(stage_, -1);
+            context_.poison.record(std::current_exception(), stage_, -1);
         }
     }
 

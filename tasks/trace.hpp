@@ -16,11 +16,9 @@ namespace tasks {
 
 class Plan;
 
-/// One stretch of work on one thread, or of waiting for messages.
+/// One stretch of work on one thread. Between two spans of one node in one step, its job waited for messages.
 struct Span {
-    enum class Kind : std::uint8_t { work, wait };
     int node = 0;
-    Kind kind = Kind::work;
     int thread = 0;
     std::int64_t step = 0;
     double start = 0.0, end = 0.0; ///< [s] since the trace began

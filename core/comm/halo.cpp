@@ -7,7 +7,7 @@
 namespace core {
 namespace {
 
-constexpr int tag_fill = 11, tag_transpose = 12;
+constexpr int tag_fill = 1, tag_transpose = 2;
 
 /// What one rank asks of another: the value of `cell` of `block`, for halo element `element` of `target`.
 struct Request {
@@ -110,7 +110,7 @@ void HaloExchange::request(const Mesh& mesh, const Communicator& communicator, i
     }
 }
 
-void HaloExchange::post(Flight& flight, bool transpose, std::size_t arrays) const
+void HaloExchange::post(Flight& flight, const Communicator& space, bool transpose, std::size_t arrays) const
 {
     const std::size_t ranks = wanted_there_.size();
     flight.received.resize(ranks);
@@ -118,12 +118,12 @@ void HaloExchange::post(Flight& flight, bool transpose, std::size_t arrays) cons
         const std::size_t in = (transpose ? wanted_from_here_[r].size() : std::size_t(wanted_there_[r])) * arrays;
         flight.received[r].resize(in);
         const int tag = transpose ? tag_transpose : tag_fill;
-        if (in > 0) communicator_.receive(std::as_writable_bytes(std::span(flight.received[r])), int(r), tag, flight.pending);
-        if (!flight.sent[r].empty()) communicator_.send(std::as_bytes(std::span(flight.sent[r])), int(r), tag, flight.pending);
+        if (in > 0) space.receive(std::as_writable_bytes(std::span(flight.received[r])), int(r), tag, flight.pending);
+        if (!flight.sent[r].empty()) space.send(std::as_bytes(std::span(flight.sent[r])), int(r), tag, flight.pending);
     }
 }
 
-void HaloExchange::start_arrays(const Arrays& arrays, Flight& flight) const
+void HaloExchange::start_arrays(const Arrays& arrays, Flight& flight, const Communicator& space) const
 {
     const std::size_t count = arrays.empty() ? 0 : arrays[0].size();
     flight.sent.resize(wanted_from_here_.size());
@@ -133,7 +133,7 @@ void HaloExchange::start_arrays(const Arrays& arrays, Flight& flight) const
         for (const CellPlace& p : wanted_from_here_[r])
             for (std::size_t a = 0; a < count; ++a) buffer.push_back(arrays[std::size_t(p.block)][a][p.offset]);
     }
-    post(flight, false, count);
+    post(flight, space, false, count);
 }
 
 void HaloExchange::finish_arrays(const Arrays& arrays, const Flight& flight) const
@@ -157,7 +157,7 @@ void HaloExchange::finish_arrays(const Arrays& arrays, const Flight& flight) con
     }
 }
 
-void HaloExchange::start_transpose_arrays(const Arrays& arrays, Flight& flight) const
+void HaloExchange::start_transpose_arrays(const Arrays& arrays, Flight& flight, const Communicator& space) const
 {
     const std::size_t count = arrays.empty() ? 0 : arrays[0].size();
     flight.sent.resize(wanted_there_.size());
@@ -169,7 +169,7 @@ void HaloExchange::start_transpose_arrays(const Arrays& arrays, Flight& flight) 
             for (std::size_t a = 0; a < count; ++a)
                 flight.sent[std::size_t(s.rank)][std::size_t(s.slot) * count + a] = arrays[std::size_t(row.target.block)][a][row.target.offset];
         }
-    post(flight, true, count);
+    post(flight, space, true, count);
 }
 
 void HaloExchange::finish_transpose_arrays(const Arrays& arrays, const Flight& flight) const

@@ -22,16 +22,22 @@ public:
     struct Flight {
         Pending pending;
         std::vector<std::vector<double>> sent, received; ///< by rank
+        const Communicator* over = nullptr; ///< a message space of its own, so that flights cannot mix; else the plan's
     };
 
     /// Plan for fields with `field_halo` layers of which `width` are filled. Collective.
     HaloExchange(const Mesh& mesh, const Communicator& communicator, int field_halo, int width, HaloShape shape);
 
-    /// Packs and sends; copies what lies on this rank.
+    /// Packs and sends in a space of messages where no other exchange is on its way.
+    template <std::size_t N>
+    void start(FieldStorage<N>& field, Flight& flight, const Communicator& space) const
+    {
+        start_arrays(arrays_of(field), flight, space);
+    }
     template <std::size_t N>
     void start(FieldStorage<N>& field, Flight& flight) const
     {
-        start_arrays(arrays_of(field), flight);
+        start(field, flight, communicator_);
     }
     /// Unpacks once flight.pending is done.
     template <std::size_t N>
@@ -41,9 +47,14 @@ public:
     }
     /// The transpose: halo values go home, to be added there in a fixed order; halos are left at zero.
     template <std::size_t N>
+    void start_transpose(FieldStorage<N>& field, Flight& flight, const Communicator& space) const
+    {
+        start_transpose_arrays(arrays_of(field), flight, space);
+    }
+    template <std::size_t N>
     void start_transpose(FieldStorage<N>& field, Flight& flight) const
     {
-        start_transpose_arrays(arrays_of(field), flight);
+        start_transpose(field, flight, communicator_);
     }
     template <std::size_t N>
     void finish_transpose(FieldStorage<N>& field, Flight& flight) const
@@ -86,11 +97,11 @@ private:
     template <std::size_t N>
     static Arrays arrays_of(FieldStorage<N>& field);
     void request(const Mesh& mesh, const Communicator& communicator, int field_halo, int width, HaloShape shape);
-    void start_arrays(const Arrays& arrays, Flight& flight) const;
+    void start_arrays(const Arrays& arrays, Flight& flight, const Communicator& space) const;
     void finish_arrays(const Arrays& arrays, const Flight& flight) const;
-    void start_transpose_arrays(const Arrays& arrays, Flight& flight) const;
+    void start_transpose_arrays(const Arrays& arrays, Flight& flight, const Communicator& space) const;
     void finish_transpose_arrays(const Arrays& arrays, const Flight& flight) const;
-    void post(Flight& flight, bool transpose, std::size_t arrays) const;
+    void post(Flight& flight, const Communicator& space, bool transpose, std::size_t arrays) const;
 
     Communicator communicator_;
     std::vector<Row> rows_;

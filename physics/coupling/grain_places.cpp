@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#include "physics/coupling/grain_places.hpp"
+#include "core/base/error.hpp"
+#include <algorithm>
+#include <numeric>
+
+namespace physics {
+
+void GrainPlaces::locate(const core::Mesh& mesh, const core::Locator& locator, const core::Domain& domain,
+                         const core::ParticleSet& grains)
+{
+    const auto count = std::size_t(grains.owned);
+    const bool same_grains = ids_.size() == count && std::equal(ids_.begin(), ids_.end(), grains.id.begin());
+    if (!same_grains) locations_.assign(count, {});
+    ids_.assign(grains.id.begin(), grains.id.begin() + grains.owned);
+    stencils_.resize(count);
+    for (int g = 0; g < grains.owned; ++g) {
+        core::Vec3 x = grains.position_of(g);
+        for (int axis = 0; axis < 3; ++axis) x[axis] = domain.wrapped(axis, x[axis]);
+        auto& place = locations_[std::size_t(g)];
+        const auto found = locator.find(x + domain.origin, place);
+        const bool here = found && mesh.local(found->block) >= 0;
+        core::require<core::NumericsError>(here, core::text("particle ", grains.id[std::size_t(g)], " at ", (x + domain.origin).transpose(),
+                                                            " m lies in no cell of its rank: it has left the domain or moved too far in one step"));
+        place = *found;
+        stencils_[std::size_t(g)] = core::hat_stencil(mesh, place);
+    }
+    sort_into_blocks(mesh, grains);
+}
+
+void GrainPlaces::sort_into_blocks(const core::Mesh& mesh, const core::ParticleSet& grains)
+{
+    order_.resize(std::size_t(grains.owned));
+    std::iota(order_.begin(), order_.end(), 0);
+    const auto key = [&](int g) { return std::pair(stencils_[std::size_t(g)].block, grains.id[std::size_t(g)]); };
+    std::sort(order_.begin(), order_.end(), [&](int a, int b) { return key(a) < key(b); });
+    first_.assign(std::size_t(mesh.own_count()) + 1, 0);
+    for (const auto& s : stencils_) ++first_[std::size_t(s.block) + 1];
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+}
+
+void GrainPlaces::deposit(core::LocalBlock b, std::span<const double> quantity, core::View<double> field) const
+{
+    for (const int g : in_block(b)) core::deposit(stencil(g), quantity[std::size_t(g)], field);
+}
+
+void GrainPlaces::sample(core::LocalBlock b, core::View<const double> field, std::span<double> value) const
+{
+    for (const int g : in_block(b)) value[std::size_t(g)] = core::sample(stencil(g), field);
+}
+
+} // namespace physics

@@ -118,10 +118,10 @@ void File::check(bool good, const std::string& action, const std::string& name) 
 void File::reserve(std::size_t bytes) const
 {
     together(*writers_, [&] {
-        hsize_t size = 0;
-        check(H5Fget_filesize(file_.get(), &size) >= 0, "find the size of the file", "");
+        haddr_t end = 0;
+        check(H5Fget_eoa(file_.get(), &end) >= 0, "find the end of the file", "");
         constexpr std::size_t metadata = 65536; // far more than one dataset and its groups need
-        if (writers_->rank() == 0) reserve_room(path_, size, bytes + metadata);
+        if (writers_->rank() == 0) reserve_room(path_, end, bytes + metadata);
     });
 }
 

@@ -41,7 +41,8 @@ struct Stage {
     std::function<Job(Lane&)> job;            ///< of a whole stage that may wait for messages
     std::function<void(Lane&)> on_rank;       ///< of any other whole stage
     std::optional<std::string> effect;        ///< label of an effect outside the graph; "" = in every step
-    int halo_width = 0;                       ///< of a stage that fills a halo
+    std::optional<FieldRef> halo_of;          ///< of a stage that fills a halo
+    int halo_width = 0;
     std::optional<core::Communicator> communicator; ///< of a whole stage, once compiled
 
     [[nodiscard]] bool whole() const { return !on_block; }

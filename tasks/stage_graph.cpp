@@ -51,6 +51,7 @@ void StageGraph::refresh_halo(const void* id, FieldRef field, const std::string&
     Stage fill;
     fill.name = "halo of " + name;
     fill.lane = lane_;
+    fill.halo_of = field;
     fill.halo_width = width;
     fill.touches = {{id, Region::interior, Mode::read, true}, {id, Region::halo, Mode::write, true}};
     fill.job = [this, field, index = stages_.size()](Lane& lane) {
@@ -70,6 +71,7 @@ Plan StageGraph::compile(const std::vector<std::string>& due)
         if (!plan.verdicts()[s].kept) continue;
         for (const Touch& touch : stages_[s].touches) needed.insert(touch.resource);
         if (stages_[s].whole() && !stages_[s].communicator) stages_[s].communicator = ranks_.duplicate();
+        if (stages_[s].halo_of) filler_->prepare(*stages_[s].halo_of, stages_[s].halo_width);
     }
     for (const auto& resource : resources_)
         if (resource.allocate && needed.contains(resource.id)) resource.allocate();

@@ -16,6 +16,8 @@ namespace tasks {
 class HaloFiller {
 public:
     virtual ~HaloFiller() = default;
+    /// Called while compiling, for every fill that is kept, in the order of the text. Collective.
+    virtual void prepare(FieldRef, int /*width*/) {}
     /// Fills `width` layers or more around every block of this rank.
     [[nodiscard]] virtual Job fill(Lane& lane, FieldRef field, int width) = 0;
 };

@@ -22,7 +22,6 @@ public:
     struct Flight {
         Pending pending;
         std::vector<std::vector<double>> sent, received; ///< by rank
-        const Communicator* over = nullptr; ///< a message space of its own, so that flights cannot mix; else the plan's
     };
 
     /// Plan for fields with `field_halo` layers of which `width` are filled. Collective.

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// Geometric multigrid over structured blocks: a V-cycle in 32 bits, the preconditioner of pressure, viscosity and filter.
+// Symbolic set-up once per mesh, numeric set-up each step. A cycle is a fixed list of steps, so that whoever runs it can
+// wait for messages between two steps in the way that suits it.
+#include "core/base/team.hpp"
+#include "physics/fluid/coarsest_solver.hpp"
+#include "physics/fluid/multigrid_level.hpp"
+#include "physics/fluid/multigrid_smoother.hpp"
+#include <span>
+#include <vector>
+
+namespace physics {
+
+struct MultigridOptions {
+    int coarsest_cells = 400;      ///< solved directly below this number
+    Smoother smoother = Smoother::automatic;
+    double spectrum_ratio = 8.0;   ///< the smoother damps the eigenvalues from 2 / ratio to 2
+    bool shifted = false;          ///< the operator has a shift
+    bool singular = true;          ///< no shift and no wall that holds the unknown
+};
+
+/// Part of the set-up or of a cycle.
+struct MultigridStep {
+    enum class Kind {
+        prepare_level, end_resistances, coarsen, factorise,                          // set-up
+        smooth_from_zero, smooth_first, smooth_second, residual, restrict_down, coarsest, prolong_up // cycle
+    };
+    Kind kind;
+    int level;
+};
+
+class Multigrid {
+public:
+    Multigrid(const BlockTopology& topology, const MultigridOptions& options);
+    ~Multigrid();
+    Multigrid(Multigrid&&) noexcept;
+
+    /// Flat arrays of the finest level, in which right-hand sides and solutions are given.
+    [[nodiscard]] const LevelMesh& mesh() const { return levels_.front().mesh; }
+    [[nodiscard]] const std::vector<MultigridLevel>& levels() const { return levels_; }
+    /// For each canonical link its number in BlockTopology::links.
+    [[nodiscard]] std::span<const int> link_source() const { return link_source_; }
+
+    /// Coefficients of the finest level, in 64 bits as the Krylov operator uses them; they are scaled before they are
+    /// rounded. Run set_up_steps() next.
+    /// @param scale  A power of two that brings the largest coefficient near 1, the same on all ranks.
+    void load(const core::Team& team, const SevenPoint<double>& fine, double scale);
+    [[nodiscard]] std::span<const MultigridStep> set_up_steps() const { return set_up_; }
+    [[nodiscard]] std::span<const MultigridStep> cycle_steps() const { return cycle_; }
+
+    /// right = residual * scale, rounded to 32 bits.
+    void load_right(const core::Team& team, std::span<const double> residual, double scale);
+    /// correction = solution of the cycle, scaled back.
+    void store_solution(const core::Team& team, std::span<double> correction) const;
+
+    void run(const core::Team& team, const MultigridStep& step);
+
+    [[nodiscard]] std::size_t bytes() const;
+
+private:
+    void list_steps();
+
+    MultigridOptions options_;
+    ChebyshevWeights weights_;
+    std::vector<int> link_source_;
+    std::vector<MultigridLevel> levels_;
+    std::unique_ptr<CoarsestSolver> coarsest_;
+    std::vector<MultigridStep> set_up_, cycle_;
+    double coefficient_scale_ = 1.0, right_scale_ = 1.0;
+};
+
+/// Largest coefficient on this rank.
+[[nodiscard]] double largest_coefficient(const LevelMesh& mesh, const SevenPoint<double>& a);
+/// The power of two that brings `largest` into [1, 2); 1 for 0.
+[[nodiscard]] double power_of_two_scale(double largest);
+
+/// Runs all steps on one rank.
+void run_steps(const core::Team& team, Multigrid& multigrid, std::span<const MultigridStep> steps);
+
+} // namespace physics

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// Coefficients of a coarse level: conductors of the finer level in series and in parallel. No matrix product.
+#include "core/base/team.hpp"
+#include "physics/fluid/multigrid_level.hpp"
+
+namespace physics {
+
+/// Half of the resistance between the two children of the coarse cell at either end of each link of `fine`.
+void link_end_resistances(const core::Team& team, MultigridLevel& fine);
+/// Coefficients of all blocks that have a finer block on this rank, and of the links of `fine`.
+/// @pre link_end_resistances(fine); ends on other ranks have been received.
+void coarsen_coefficients(const core::Team& team, const MultigridLevel& fine, MultigridLevel& coarse);
+/// Copies the transmissibility of each link to its half links.
+void spread_links(MultigridLevel& level);
+
+} // namespace physics

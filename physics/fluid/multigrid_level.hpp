@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// One level of the multigrid hierarchy: its mesh, its 32-bit coefficients and vectors.
+#include "physics/fluid/seven_point.hpp"
+#include <array>
+#include <vector>
+
+namespace physics {
+
+/// Direction of the lines that a smoother solves exactly in one block.
+enum class LineAxis { i, j, k, none };
+
+/// Which smoother a block uses.
+enum class Smoother {
+    automatic, ///< lines where the coefficients are anisotropic, else points
+    point,
+    line
+};
+
+struct MultigridLevel {
+    explicit MultigridLevel(LevelMesh m) : mesh(std::move(m)) {}
+
+    LevelMesh mesh;
+    SevenPoint<float> matrix;
+    std::vector<LineAxis> axis;  ///< of each block
+    bool has_lines = false;      ///< some block has an axis
+    std::vector<float> inverse;  ///< 1 / diagonal, or 1 / pivot of the line factorisation
+    std::vector<std::array<float, 2>> end_resistance; ///< of each link: half a cell of the next level, at either end
+    std::vector<float> right, residual, direction, solution, other;
+    std::vector<int> fine_block;   ///< block of the next finer level, -1 where that is not on this rank
+    std::vector<int> coarse_block; ///< block of the next coarser level
+
+    [[nodiscard]] std::size_t bytes() const
+    {
+        const auto of = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
+        std::size_t sum = of(matrix.shift) + of(matrix.link) + of(matrix.half) + of(inverse) + of(end_resistance) + of(right)
+                        + of(residual) + of(direction) + of(solution) + of(other) + of(mesh.links) + of(mesh.halves)
+                        + of(mesh.half_of) + of(mesh.runs) + of(mesh.coarse_link);
+        for (const auto& f : matrix.face) sum += of(f);
+        return sum;
+    }
+};
+
+[[nodiscard]] MultigridLevel make_multigrid_level(const BlockTopology& topology, bool with_shift);
+
+} // namespace physics

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// Chebyshev(2) smoothing with point- or line-Jacobi: additive, hence the same for any order of blocks.
+#include "core/base/team.hpp"
+#include "physics/fluid/multigrid_level.hpp"
+
+namespace physics {
+
+/// Coefficients of the second-degree Chebyshev iteration on [largest / ratio, largest].
+/// First step: d = first z; second: d = keep d + second z; z is the Jacobi correction of the residual.
+struct ChebyshevWeights {
+    float first, keep, second;
+};
+/// @param largest  Bound of the eigenvalues of the Jacobi-preconditioned matrix: 2 holds for every symmetric M-matrix,
+///                 for points and for lines.
+/// @source  Saad, Iterative Methods for Sparse Linear Systems (2003), algorithm 12.1.
+[[nodiscard]] ChebyshevWeights chebyshev_weights(double largest, double ratio);
+
+/// Chooses the lines of each block and factorises them.
+void prepare_smoother(const core::Team& team, Smoother kind, MultigridLevel& level);
+
+/// First step from a zero solution: writes direction and `other`.
+void smooth_from_zero(const core::Team& team, const ChebyshevWeights& weights, MultigridLevel& level);
+/// First step from `solution`: writes direction and `other`.
+void smooth_first(const core::Team& team, const ChebyshevWeights& weights, MultigridLevel& level);
+/// Second step from `other`: updates direction, writes `solution`.
+void smooth_second(const core::Team& team, const ChebyshevWeights& weights, MultigridLevel& level);
+
+} // namespace physics

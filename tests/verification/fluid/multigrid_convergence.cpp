@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+// Iterations of the multigrid-preconditioned solver: independent of resolution, aspect ratio and cutting into blocks.
+#include "tests/support/conduction_boxes.hpp"
+#include <doctest/doctest.h>
+
+namespace {
+
+const core::SerialTeam serial;
+
+/// Iterations to a relative residual of 1e-8, and the name of the case with the count as a message.
+int iterations(const std::string& name, const test::ConductionProblem& p, physics::MultigridOptions options = {})
+{
+    physics::SevenPointSolver solver(p.topology, options);
+    solver.set_up(serial, p.coefficients());
+    auto right = test::random_right(solver.layout(), 7);
+    std::vector<double> x(solver.layout().size(), 0.0);
+    const auto report = solver.solve(serial, {.relative = 1e-8, .most_iterations = 300, .singular = true}, right, x);
+    MESSAGE(name << ": " << physics::cell_count(p.topology) << " cells, " << report.iterations << " iterations");
+    return report.iterations;
+}
+
+test::BoxGrid cube(int n) { return {{test::uniform(n, 1.0), test::uniform(n, 1.0), test::uniform(n, 1.0)}}; }
+
+/// Channel between walls at y = 0 and 1; cells at the walls are `aspect` times as long as high.
+test::BoxGrid channel(int n, double aspect)
+{
+    return {{test::uniform(n, 3.0), test::between_walls(n * 3 / 2, 3.0 / n / aspect), test::uniform(n, 1.5)}};
+}
+
+} // namespace
+
+TEST_CASE("a cube takes at most 12 iterations at any resolution")
+{
+    for (int n : {16, 32, 64}) CHECK(iterations("cube", test::box_problem(cube(n))) <= 12);
+    CHECK(iterations("cube of odd size", test::box_problem(cube(37))) <= 14);
+}
+
+TEST_CASE("a channel with aspect ratio 1000 takes at most 20 iterations")
+{
+    for (int n : {16, 32, 64}) CHECK(iterations("channel", test::box_problem(channel(n, 1000.0))) <= 20);
+}
+
+TEST_CASE("blocks and periodic sides cost few iterations")
+{
+    auto grid = cube(48);
+    grid.blocks = {3, 2, 4};
+    CHECK(iterations("24 blocks", test::box_problem(grid)) <= 14);
+    grid.periodic = {true, false, true};
+    CHECK(iterations("24 blocks, periodic", test::box_problem(grid)) <= 14);
+    grid.blocks = {1, 1, 1};
+    CHECK(iterations("one block, periodic with itself", test::box_problem(grid)) <= 14);
+}

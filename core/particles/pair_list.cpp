@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/particles/pair_list.hpp"
+
+#include <algorithm>
+
+namespace core {
+namespace {
+
+constexpr auto index_of(int i) { return std::size_t(i); }
+
+} // namespace
+
+void PairList::find(const ParticleSet& particles, const CellList& cells, double skin, int chunk)
+{
+    auto& found = found_[index_of(chunk)];
+    found.clear();
+    const BinLattice& lattice = cells.lattice();
+    std::array<std::array<float, 3>, 27> shifts;
+    for (int n = 0; n < 27; ++n)
+        for (std::size_t a = 0; a < 3; ++a) {
+            const int step = a == 0 ? n % 3 - 1 : a == 1 ? n / 3 % 3 - 1 : n / 9 - 1;
+            shifts[index_of(n)][a] = float(step * lattice.width[int(a)] * double(lattice.count[a]));
+        }
+    std::array<CellRow, 27> rows;
+    const int end = std::min(particles.owned, (chunk + 1) * particles_per_chunk);
+    for (int i = chunk * particles_per_chunk; i < end; ++i) {
+        const Vec3 position = particles.position_of(i);
+        const Vec3 here = position - lattice.low;
+        const float reach = float(particles.radius[index_of(i)] + skin) + cells.rounding();
+        const int count = cells.rows_around(lattice.bin(position), rows);
+        for (int r = 0; r < count; ++r) {
+            const auto& [begin, stop, image] = rows[index_of(r)];
+            const auto& shift = shifts[index_of(image)];
+            const float x = float(here[0]) - shift[0], y = float(here[1]) - shift[1], z = float(here[2]) - shift[2];
+            for (auto k = index_of(begin); k < index_of(stop); ++k) {
+                const int j = cells.index[k];
+                if (j <= i) continue;
+                const float dx = cells.x[k] - x, dy = cells.y[k] - y, dz = cells.z[k] - z;
+                const float near = cells.radius[k] + reach;
+                if (dx * dx + dy * dy + dz * dz > near * near) continue;
+                if (particles.id[index_of(i)] < particles.id[index_of(j)]) found.push_back({i, j, std::uint8_t(image)});
+                else found.push_back({j, i, std::uint8_t(26 - image)});
+            }
+        }
+    }
+}
+
+void PairList::copy_chunk(const ParticleSet& particles, const ContactHistory& history, int chunk)
+{
+    auto p = index_of(chunk_begin[index_of(chunk)]);
+    auto& later = links[index_of(chunk)];
+    later.clear();
+    for (const auto& pair : found_[index_of(chunk)]) {
+        first[p] = pair.first;
+        second[p] = pair.second;
+        image[p] = pair.image;
+        const int low = std::min(pair.first, pair.second), high = std::max(pair.first, pair.second);
+        const Spring kept = history.find(low, particles.id[index_of(high)]);
+        for (std::size_t a = 0; a < 3; ++a) spring[a][p] = kept[a];
+        const int other = high / particles_per_chunk;
+        if (high < particles.owned && other != chunk && std::find(later.begin(), later.end(), other) == later.end())
+            later.push_back(other);
+        ++p;
+    }
+}
+
+void PairList::build(const ParticleSet& particles, const CellList& cells, double skin, const ContactHistory& history,
+                     const Team& team)
+{
+    const int count = (particles.owned + particles_per_chunk - 1) / particles_per_chunk;
+    found_.resize(index_of(count));
+    links.resize(index_of(count));
+    team.run(count, [&](int c) { find(particles, cells, skin, c); });
+    chunk_begin.assign(1, 0);
+    for (int c = 0; c < count; ++c) chunk_begin.push_back(chunk_begin.back() + int(found_[index_of(c)].size()));
+    const auto total = index_of(chunk_begin.back());
+    first.resize(total);
+    second.resize(total);
+    image.resize(total);
+    for (auto& column : spring) column.resize(total);
+    team.run(count, [&](int c) { copy_chunk(particles, history, c); });
+    build_rows(particles, team);
+}
+
+void PairList::build_rows(const ParticleSet& particles, const Team& team)
+{
+    const int owned = particles.owned;
+    row_begin.assign(index_of(owned) + 1, 0);
+    for (std::size_t p = 0; p < first.size(); ++p) {
+        if (first[p] < owned) ++row_begin[index_of(first[p]) + 1];
+        if (second[p] < owned) ++row_begin[index_of(second[p]) + 1];
+    }
+    for (int i = 0; i < owned; ++i) row_begin[index_of(i) + 1] += row_begin[index_of(i)];
+    std::vector<int> next(row_begin.begin(), row_begin.end() - 1);
+    row.resize(index_of(row_begin.back()));
+    for (std::size_t p = 0; p < first.size(); ++p) {
+        if (first[p] < owned) row[index_of(next[index_of(first[p])]++)] = 2 * int(p);
+        if (second[p] < owned) row[index_of(next[index_of(second[p])]++)] = 2 * int(p) + 1;
+    }
+    const auto other_id = [&](int entry) {
+        const auto p = index_of(entry / 2);
+        return particles.id[index_of(entry % 2 == 0 ? second[p] : first[p])];
+    };
+    for_chunks(team, owned, particles_per_chunk, [&](int begin, int end) {
+        for (int i = begin; i < end; ++i)
+            std::sort(row.begin() + row_begin[index_of(i)], row.begin() + row_begin[index_of(i) + 1],
+                      [&](int a, int b) { return other_id(a) < other_id(b); });
+    });
+}
+
+void PairList::append_row(const ParticleSet& particles, int i, ContactHistory& history) const
+{
+    for (int k = row_begin[index_of(i)]; k < row_begin[index_of(i) + 1]; ++k) {
+        const int entry = row[index_of(k)];
+        const auto p = index_of(entry / 2);
+        const Spring value{spring[0][p], spring[1][p], spring[2][p]};
+        if (value == Spring{0.0, 0.0, 0.0}) continue;
+        history.add(particles.id[index_of(entry % 2 == 0 ? second[p] : first[p])], value);
+    }
+}
+
+} // namespace core

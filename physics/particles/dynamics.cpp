@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#include "physics/particles/dynamics.hpp"
+#include "core/base/error.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace physics {
+namespace {
+
+constexpr auto index_of(int i) { return std::size_t(i); }
+
+// measured: beds and pipes of 2-3 mm spheres run fastest with these
+constexpr double usual_skin = 0.33;      ///< Over the greatest radius.
+constexpr double usual_near_skin = 0.03;
+
+int chunk_count(const core::ParticleSet& particles)
+{
+    return (particles.owned + core::particles_per_chunk - 1) / core::particles_per_chunk;
+}
+
+} // namespace
+
+ParticleDynamics::ParticleDynamics(const core::Domain& domain, const ParticleParameters& parameters, std::vector<Wall> walls,
+                                   double step)
+    : domain_(domain), parameters_(parameters), step_(step), pair_laws_(pair_laws(parameters, step)),
+      wall_laws_(wall_laws(parameters, step)), walls_(std::move(walls)), shifts_(core::image_shifts(domain))
+{
+    near_.species_count = parameters.species;
+}
+
+void ParticleDynamics::set_reach(double greatest_radius)
+{
+    greatest_radius_ = greatest_radius;
+    skin_ = parameters_.skin > 0 ? parameters_.skin : usual_skin * greatest_radius;
+    near_skin_ = parameters_.near_skin > 0 ? std::min(parameters_.near_skin, skin_) : usual_near_skin * greatest_radius;
+}
+
+double ParticleDynamics::start(const core::Team& team) { return drift_all(particles, 0.5 * step_, team); }
+
+void ParticleDynamics::account(double speed2, double time)
+{
+    const double way = 1.000001 * std::sqrt(speed2) * time; // rounding of the positions
+    travelled_ += way;
+    near_travelled_ += way;
+}
+
+double ParticleDynamics::displacement() const
+{
+    if (!built_) return std::numeric_limits<double>::infinity();
+    double greatest = 0.0;
+    for (std::size_t i = 0; i < index_of(particles.owned); ++i) {
+        double square = 0.0;
+        for (std::size_t a = 0; a < 3; ++a) {
+            const double d = particles.position[a][i] - reference_[a][i];
+            square += d * d;
+        }
+        greatest = std::max(greatest, square);
+    }
+    return std::sqrt(greatest);
+}
+
+bool ParticleDynamics::keep_lists(double greatest_displacement)
+{
+    if (!built_ || 2.0 * greatest_displacement >= 0.8 * skin_) return false;
+    travelled_ = greatest_displacement;
+    return true;
+}
+
+void ParticleDynamics::dissolve(const core::Team& team)
+{
+    if (built_) {
+        near_.return_springs(pairs_, team);
+        history = core::ContactHistory{};
+        for (int i = 0; i < particles.owned; ++i) {
+            pairs_.append_row(particles, i, history);
+            walls_.append_row(i, history);
+            history.end_row();
+        }
+        particles.resize_ghosts(0);
+    }
+    while (history.rows() < particles.owned) history.end_row(); // particles that were added without a history
+    built_ = near_built_ = false;
+    for (int a = 0; a < 3; ++a)
+        if (domain_.periodic[index_of(a)])
+            for (int i = 0; i < particles.owned; ++i) {
+                double& x = particles.position[index_of(a)][index_of(i)];
+                x = domain_.wrapped(a, x);
+            }
+}
+
+core::Bounds ParticleDynamics::bounds() const
+{
+    core::Bounds b;
+    for (int i = 0; i < particles.owned; ++i) {
+        b.low = b.low.cwiseMin(particles.position_of(i));
+        b.high = b.high.cwiseMax(particles.position_of(i));
+    }
+    return b;
+}
+
+void ParticleDynamics::sort(const core::BinLattice& lattice)
+{
+    lattice_ = lattice;
+    const auto order = core::order_by_bin(particles, lattice);
+    particles.reorder(order);
+    history.reorder(order);
+}
+
+void ParticleDynamics::build(const core::Team& team)
+{
+    cells_.build(particles, lattice_);
+    pairs_.build(particles, cells_, skin_, history, team);
+    walls_.build(particles, skin_, history);
+    forces_.resize(index_of(pairs_.size()));
+    for (std::size_t a = 0; a < 3; ++a)
+        reference_[a].assign(particles.position[a].begin(), particles.position[a].begin() + particles.owned);
+    built_ = true;
+    near_built_ = false;
+    travelled_ = 0.0;
+    planned_threads_ = 0;
+}
+
+void ParticleDynamics::refresh_near(const core::Team& team)
+{
+    if (near_built_) near_.return_springs(pairs_, team);
+    near_.refresh(particles, pairs_, shifts_, near_skin_, team);
+    near_built_ = true;
+    near_travelled_ = 0.0;
+}
+
+void ParticleDynamics::plan_segments(int threads)
+{
+    const int chunks = chunk_count(particles), count = std::clamp(threads, 1, std::max(1, chunks));
+    segments_.clear();
+    for (int s = 0; s <= count; ++s) segments_.push_back(int(std::int64_t(chunks) * s / count));
+    deferred_.assign(index_of(chunks), 0);
+    for (int s = 0; s < count; ++s)
+        for (int c = segments_[index_of(s)]; c < segments_[index_of(s) + 1]; ++c)
+            for (const int later : pairs_.links[index_of(c)])
+                if (later >= segments_[index_of(s) + 1]) deferred_[index_of(later)] = 1;
+    planned_threads_ = threads;
+}
+
+void ParticleDynamics::sum_chunk(int chunk, ForceSums& sums)
+{
+    sums.begin = chunk * core::particles_per_chunk;
+    sums.end = std::min(particles.owned, sums.begin + core::particles_per_chunk);
+    sum_pair_forces(pairs_, near_, forces_, sums);
+    if (!walls_.empty()) walls_.add_forces(particles, wall_laws_, chunk, sums);
+}
+
+/// A particle may move as soon as all its pairs are done. The pairs of chunks 0..c are all the pairs of their particles, so
+/// one thread moves each chunk right after its pairs, while they are in its cache; chunks that meet pairs of an earlier segment wait.
+template <class M>
+double ParticleDynamics::advance_as(const M& motion, const core::Team& team, const DriftTimes& times)
+{
+    const PairScene scene{particles, pairs_, shifts_, pair_laws_, parameters_.seed};
+    const int segments = int(segments_.size()) - 1;
+    std::vector<double> greatest(index_of(segments), 0.0);
+    const auto move = [&](int s, int c) {
+        ForceSums sums;
+        sum_chunk(c, sums);
+        greatest[index_of(s)] = std::max(greatest[index_of(s)], move_chunk(particles, sums, motion, times));
+    };
+    team.run(segments, [&](int s) {
+        for (int c = segments_[index_of(s)]; c < segments_[index_of(s) + 1]; ++c) {
+            pair_forces(scene, near_, c, forces_);
+            if (!deferred_[index_of(c)]) move(s, c);
+        }
+    });
+    if (segments > 1)
+        team.run(segments, [&](int s) {
+            for (int c = segments_[index_of(s)]; c < segments_[index_of(s) + 1]; ++c)
+                if (deferred_[index_of(c)]) move(s, c);
+        });
+    return *std::max_element(greatest.begin(), greatest.end());
+}
+
+double ParticleDynamics::advance(const Motion& motion, const core::Team& team, int sub_step, int sub_steps)
+{
+    if (particles.owned == 0) return 0.0;
+    if (!near_built_ || 2.0 * near_travelled_ >= near_skin_) refresh_near(team);
+    if (planned_threads_ != team.threads()) plan_segments(team.threads());
+    const double half = 0.5 * step_;
+    const DriftTimes times{step_, half, sub_step + 1 < sub_steps ? half : 0.0};
+    return std::visit([&](const auto& m) { return advance_as(m, team, times); }, motion);
+}
+
+} // namespace physics

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// The moving particles of one rank and the lists of who may touch whom: the parts of a sub-step, without messages.
+#include "physics/particles/newton.hpp"
+#include "physics/particles/walls.hpp"
+
+#include <variant>
+
+namespace physics {
+
+using Motion = std::variant<DryMotion, WetMotion>;
+
+/// Sub-steps run in this order: start() once; then, for each sub-step, lists up to date (needs_check(), rebuild()), ghosts
+/// up to date, advance(), account(). Lists never change a result, only its cost.
+class ParticleDynamics {
+public:
+    /// @param step  Sub-step [s]. @throws core::ConfigError for parameters out of range.
+    ParticleDynamics(const core::Domain& domain, const ParticleParameters& parameters, std::vector<Wall> walls, double step);
+
+    core::ParticleSet particles;
+    core::ContactHistory history; ///< Springs while no list is valid: before the first build, and during a rebuild.
+
+    [[nodiscard]] const core::Domain& domain() const { return domain_; }
+    [[nodiscard]] double step() const { return step_; }
+
+    /// Reach of the lists beyond touching [m]; the same on all ranks. @param greatest_radius  Of all ranks [m].
+    void set_reach(double greatest_radius);
+    /// Largest distance of centres in the lists [m].
+    [[nodiscard]] double cutoff() const { return 2.0 * greatest_radius_ + skin_; }
+
+    /// First half drift of a batch of sub-steps. @returns the greatest square of speed of this rank [m2/s2].
+    double start(const core::Team& team);
+    /// One sub-step of all owned particles. Half a drift follows the kick, a whole one unless it is the `last` of the batch.
+    /// @returns the greatest square of speed of this rank [m2/s2].
+    double advance(const Motion& motion, const core::Team& team, int sub_step, int sub_steps);
+    /// Books the way that the fastest particle may have gone. @param speed2  Greatest square of speed of all ranks [m2/s2].
+    void account(double speed2, double time);
+    /// True when some pair outside the lists might touch, judged by speeds; the same answer on all ranks.
+    [[nodiscard]] bool needs_check() const { return !built_ || 2.0 * travelled_ >= skin_; }
+    /// Greatest true displacement of an owned particle since the last rebuild [m].
+    [[nodiscard]] double displacement() const;
+    /// Goes on with the lists if the greatest displacement of all ranks allows. @returns false if a rebuild must follow.
+    [[nodiscard]] bool keep_lists(double greatest_displacement);
+
+    /// Moves all springs to `history`, drops ghosts and lists, and brings owned particles back into a periodic domain.
+    void dissolve(const core::Team& team);
+    /// Bounds of the owned particles [m].
+    [[nodiscard]] core::Bounds bounds() const;
+    /// Sorts the owned particles into the bins of `lattice`. @pre dissolve()
+    void sort(const core::BinLattice& lattice);
+    /// Makes all lists from owned particles and ghosts. @pre sort(), ghosts in place
+    void build(const core::Team& team);
+
+    [[nodiscard]] const core::BinLattice& lattice() const { return lattice_; }
+    /// Pairs that touch now and their overlaps, for reports and tests.
+    [[nodiscard]] const core::PairList& pairs() const { return pairs_; }
+
+private:
+    void refresh_near(const core::Team& team);
+    void plan_segments(int threads);
+    void sum_chunk(int chunk, ForceSums& sums);
+    template <class M>
+    double advance_as(const M& motion, const core::Team& team, const DriftTimes& times);
+
+    core::Domain domain_;
+    ParticleParameters parameters_;
+    double step_;
+    ContactLaws pair_laws_, wall_laws_;
+    WallContacts walls_;
+    std::array<core::Vec3, 27> shifts_;
+    double greatest_radius_ = 0.0, skin_ = 0.0, near_skin_ = 0.0;
+    core::BinLattice lattice_;
+    core::CellList cells_;
+    core::PairList pairs_;
+    core::NearPairs near_;
+    std::vector<ContactForce> forces_;
+    core::Triple reference_;       // positions at the last rebuild
+    bool built_ = false, near_built_ = false;
+    double travelled_ = 0.0, near_travelled_ = 0.0;
+    std::vector<int> segments_;    // chunks [segments_[s], segments_[s + 1]) run one after the other
+    std::vector<char> deferred_;   // chunks that other segments' pairs touch: moved when all pairs are done
+    int planned_threads_ = 0;
+};
+
+} // namespace physics

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// Forces and torques on the particles of one chunk, summed in a fixed order.
+#include "physics/particles/contact.hpp"
+
+namespace physics {
+
+/// Entry k belongs to owned particle begin + k.
+struct alignas(64) ForceSums {
+    using Lane = std::array<double, core::particles_per_chunk>;
+    std::array<Lane, 3> force;  ///< [N]
+    std::array<Lane, 3> torque; ///< [N m]
+    int begin = 0, end = 0;
+};
+
+/// Sums the pair forces of each particle of `chunk` in the order of its neighbours' ids.
+inline void sum_pair_forces(const core::PairList& pairs, const core::NearPairs& near, std::span<const ContactForce> forces,
+                            ForceSums& sums)
+{
+    for (int i = sums.begin; i < sums.end; ++i) {
+        alignas(64) double force[4] = {}, torque[4] = {};
+        for (int k = pairs.row_begin[std::size_t(i)]; k < near.row_end[std::size_t(i)]; ++k) {
+            const int entry = near.row[std::size_t(k)];
+            const ContactForce& contact = forces[std::size_t(entry >> 1)];
+            const double* record = contact.force; // force and its lever, then torque and its lever
+            const bool is_second = (entry & 1) != 0;
+            const double sign = is_second ? -1.0 : 1.0, lever = is_second ? contact.lever_second : contact.lever_first;
+            for (int a = 0; a < 3; ++a) force[a] += sign * record[a];
+            for (int a = 0; a < 3; ++a) torque[a] += lever * contact.torque[a];
+        }
+        const auto k = std::size_t(i - sums.begin);
+        for (std::size_t a = 0; a < 3; ++a) {
+            sums.force[a][k] = force[a];
+            sums.torque[a][k] = torque[a];
+        }
+    }
+}
+
+} // namespace physics

@@ -67,7 +67,8 @@ int main(int argc, char** argv)
     try {
         return run(argc, argv);
     } catch (const core::ConfigError& error) {
-        std::cerr << error.what() << '\n';
+        const std::string message = error.what();
+        std::cerr << message << (message.ends_with('\n') ? "" : "\n");
         return io::exit_user_error;
     } catch (const std::exception& error) {
         std::cerr << "isago: " << error.what() << '\n';

@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#include "io/cli/command.hpp"
+
+namespace io {
+
+std::vector<Command> all_commands()
+{
+    return {
+        check_command(),
+    };
+}
+
+} // namespace io

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#include "io/scene.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+namespace io {
+
+PipeCells cells_of(PipeSize size)
+{
+    switch (size) {
+    case PipeSize::small: return {12, 20};
+    case PipeSize::medium: return {16, 32};
+    case PipeSize::large: return {24, 48};
+    }
+    return {};
+}
+
+bool Grid::is_periodic(int axis) const
+{
+    return std::any_of(periodic.begin(), periodic.end(), [&](Axis named) {
+        return (named == Axis::axial ? 0 : static_cast<int>(named) - 1) == axis;
+    });
+}
+
+core::Vec3 Grid::low() const
+{
+    if (!pipe) return core::Vec3::Zero();
+    return {0.0, -0.5 * pipe->diameter, -0.5 * pipe->diameter};
+}
+
+core::Vec3 Grid::high() const
+{
+    if (pipe) return {pipe->length, 0.5 * pipe->diameter, 0.5 * pipe->diameter};
+    return box ? box->size : core::Vec3(core::Vec3::Zero());
+}
+
+double Grid::volume() const
+{
+    if (pipe) return 0.25 * std::numbers::pi * pipe->diameter * pipe->diameter * pipe->length;
+    return box ? box->size.prod() : 0.0;
+}
+
+DragLaw Coupling::chosen_drag() const
+{
+    if (drag) return *drag;
+    return preset == CouplingPreset::seed ? DragLaw::seed : DragLaw::smooth;
+}
+
+} // namespace io

@@ -1,0 +1,219 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// A scene as the user describes it: plain structs in SI units, with the defaults.
+#include "core/base/vec3.hpp"
+#include "io/value.hpp"
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace io {
+
+// Enumerations stand with their words, in the same order.
+
+enum class PipeSize { small, medium, large };
+inline constexpr std::array<std::string_view, 3> pipe_size_words{"small", "medium", "large"};
+
+enum class Axis { axial, x, y, z };
+inline constexpr std::array<std::string_view, 4> axis_words{"axial", "x", "y", "z"};
+
+enum class WallKind { no_slip, slip };
+inline constexpr std::array<std::string_view, 2> wall_kind_words{"no_slip", "slip"};
+
+enum class Arrangement { random, lattice };
+inline constexpr std::array<std::string_view, 2> arrangement_words{"random", "lattice"};
+
+enum class ContactLaw { linear };
+inline constexpr std::array<std::string_view, 1> contact_law_words{"linear"};
+
+enum class WallShape { faces, primitive };
+inline constexpr std::array<std::string_view, 2> wall_shape_words{"faces", "primitive"};
+
+enum class CouplingMode { automatic, pipelined, coarse, concurrent, iterated };
+inline constexpr std::array<std::string_view, 5> coupling_mode_words{"auto", "pipelined", "coarse", "concurrent",
+                                                                     "iterated"};
+
+enum class DragLaw { smooth, seed };
+inline constexpr std::array<std::string_view, 2> drag_law_words{"smooth", "seed"};
+
+enum class CouplingPreset { standard, seed };
+inline constexpr std::array<std::string_view, 2> coupling_preset_words{"standard", "seed"};
+
+enum class Switch { automatic, on, off };
+inline constexpr std::array<std::string_view, 3> switch_words{"auto", "on", "off"};
+
+/// Cells over the diameter and along the axis. A quarter of `across` lies in each wing of the butterfly, half in its core.
+struct PipeCells {
+    int across = 16, along = 32;
+    bool operator==(const PipeCells&) const = default;
+
+    [[nodiscard]] int core() const { return across / 2; }
+    [[nodiscard]] int wing() const { return across / 4; }
+    [[nodiscard]] int total() const { return (core() * core() + 4 * core() * wing()) * along; }
+};
+
+/// The cells that a named size stands for: 2,160, 6,144 and 20,736.
+[[nodiscard]] PipeCells cells_of(PipeSize size);
+
+/// A straight round pipe along x, its axis through the origin of y and z, from x = 0.
+struct PipeGrid {
+    double diameter = 0.0, length = 0.0; ///< [m]
+    PipeSize size = PipeSize::medium;
+    std::optional<PipeCells> cells; ///< Instead of a named size.
+    int blocks_along = 4;
+    double core_fraction = 0.55; ///< Half diagonal of the core over the radius.
+    bool operator==(const PipeGrid&) const = default;
+
+    [[nodiscard]] PipeCells chosen_cells() const { return cells ? *cells : cells_of(size); }
+};
+
+/// The walls of a box; periodic sides have none.
+struct BoxWalls {
+    WallKind x_low = WallKind::no_slip, x_high = WallKind::no_slip;
+    WallKind y_low = WallKind::no_slip, y_high = WallKind::no_slip;
+    WallKind z_low = WallKind::no_slip, z_high = WallKind::no_slip;
+    bool operator==(const BoxWalls&) const = default;
+};
+
+/// A rectangular box with one corner at the origin.
+struct BoxGrid {
+    core::Vec3 size = core::Vec3::Zero(); ///< [m]
+    std::array<int, 3> cells{16, 16, 16};
+    std::array<int, 3> blocks{1, 1, 1};
+    BoxWalls walls;
+    bool operator==(const BoxGrid&) const = default;
+};
+
+struct Grid {
+    std::optional<PipeGrid> pipe;
+    std::optional<BoxGrid> box;
+    std::vector<Axis> periodic; ///< `axial` is the axis of a pipe, the same as `x`.
+    bool operator==(const Grid&) const = default;
+
+    [[nodiscard]] bool is_periodic(int axis) const;
+    /// The box around the domain [m].
+    [[nodiscard]] core::Vec3 low() const;
+    [[nodiscard]] core::Vec3 high() const;
+    [[nodiscard]] double volume() const; ///< [m3]
+};
+
+/// The driving gradient changes sign whenever the speed on the axis reaches this bound.
+struct ReverseAt {
+    double axis_speed = 0.0; ///< [m/s]
+    bool operator==(const ReverseAt&) const = default;
+};
+
+/// The mean pressure gradient that drives the fluid along a periodic axis: constant, G cos(2 pi f t), or reversing.
+struct Drive {
+    double pressure_gradient = 0.0; ///< [Pa/m]; positive pushes the fluid towards the high end.
+    Axis axis = Axis::x;
+    std::optional<double> frequency; ///< [Hz]
+    std::optional<ReverseAt> reverse_at;
+    bool operator==(const Drive&) const = default;
+};
+
+struct Material {
+    std::string name;
+    double density = 0.0;   ///< [kg/m3]
+    double viscosity = 0.0; ///< kinematic [m2/s]
+    bool operator==(const Material&) const = default;
+};
+
+struct Fluid {
+    Material material;
+    std::optional<Drive> drive;
+    bool operator==(const Fluid&) const = default;
+};
+
+struct Gravity {
+    core::Vec3 direction = -core::Vec3::UnitY();
+    double magnitude = 9.81; ///< [m/s2]
+    bool operator==(const Gravity&) const = default;
+};
+
+/// Where the particles of a species are at the start.
+struct Initial {
+    Arrangement arrangement = Arrangement::random;
+    std::optional<core::Vec3> low, high;         ///< Corners of the region of the centres [m]; the whole domain without them.
+    core::Vec3 velocity = core::Vec3::Zero();    ///< [m/s]
+    bool operator==(const Initial&) const = default;
+};
+
+struct Species {
+    std::string name;
+    int count = 0;
+    double diameter = 0.0; ///< [m]
+    double density = 0.0;  ///< [kg/m3]
+    Initial initial;
+    bool operator==(const Species&) const = default;
+};
+
+struct Contact {
+    ContactLaw law = ContactLaw::linear;
+    double stiffness = 0.0; ///< normal [N/m]
+    double restitution = 0.6;
+    double friction = 0.4;
+    double tangential_ratio = 2.0 / 7.0; ///< tangential over normal stiffness
+    int steps_per_contact = 30;
+    WallShape walls = WallShape::faces;
+    bool operator==(const Contact&) const = default;
+};
+
+struct Coupling {
+    CouplingMode mode = CouplingMode::automatic;
+    Width filter{2.0, true};
+    CouplingPreset preset = CouplingPreset::standard;
+    std::optional<DragLaw> drag; ///< Without it, the preset's.
+    Switch added_mass = Switch::automatic, lift = Switch::automatic, torque = Switch::automatic;
+    bool operator==(const Coupling&) const = default;
+
+    [[nodiscard]] DragLaw chosen_drag() const;
+};
+
+struct Limits {
+    double cfl = 1.0; ///< Largest cells crossed by the fluid in a step.
+    bool operator==(const Limits&) const = default;
+};
+
+struct Run {
+    double settle = 0.0;             ///< [s] before t = 0, without the drive.
+    double until = 0.0;              ///< [s]
+    std::optional<double> time_step; ///< [s]; without it, the largest that the limits allow.
+    Limits limits;
+    int random_seed = 1;
+    std::optional<double> wall_clock; ///< [s] of real time, after which the run stops with a checkpoint.
+    bool operator==(const Run&) const = default;
+};
+
+struct Output {
+    Interval results, pictures;
+    Interval checkpoint;
+    Interval metrics{Interval::Clock::steps, 1.0};
+    int keep_checkpoints = 2;
+    bool operator==(const Output&) const = default;
+};
+
+struct Solver {
+    double tolerance = 1e-8; ///< Relative residual of the pressure.
+    bool operator==(const Solver&) const = default;
+};
+
+struct Scene {
+    std::string name;
+    Grid grid;
+    std::optional<Fluid> fluid;
+    std::optional<Gravity> gravity;
+    std::vector<Species> particles;
+    std::optional<Contact> contact;
+    std::optional<Coupling> coupling; ///< Present when there are both fluid and particles.
+    Run run;
+    Output output;
+    Solver solver;
+    bool operator==(const Scene&) const = default;
+};
+
+} // namespace io

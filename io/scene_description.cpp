@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#include "io/scene_description.hpp"
+
+namespace io {
+
+static void describe(Schema& s, PipeCells& p)
+{
+    s.required("across", p.across, "", "Cells over the diameter, a multiple of 4: half of them in the core", at_least(4));
+    s.required("along", p.along, "", "Cells along the axis, a multiple of blocks_along", at_least(1));
+}
+
+static void describe(Schema& s, PipeGrid& p)
+{
+    s.required("diameter", p.diameter, "m", "Inner diameter", positive);
+    s.required("length", p.length, "m", "Length along the axis, which is x", positive);
+    s.value("size", "Number of cells: small 2,160, medium 6,144, large 20,736", choice_of(p.size, pipe_size_words));
+    s.group("cells", p.cells, "Cells of your own, instead of a named size");
+    s.value("blocks_along", p.blocks_along, "", "Blocks along the axis, five in each section", at_least(1));
+    s.value("core_fraction", p.core_fraction, "1", "Half diagonal of the core over the radius", between(0.2, 0.8));
+}
+
+static void describe(Schema& s, BoxWalls& p)
+{
+    s.value("x_low", "Wall at the low end of x", choice_of(p.x_low, wall_kind_words));
+    s.value("x_high", "Wall at the high end of x", choice_of(p.x_high, wall_kind_words));
+    s.value("y_low", "Wall at the low end of y", choice_of(p.y_low, wall_kind_words));
+    s.value("y_high", "Wall at the high end of y", choice_of(p.y_high, wall_kind_words));
+    s.value("z_low", "Wall at the low end of z", choice_of(p.z_low, wall_kind_words));
+    s.value("z_high", "Wall at the high end of z", choice_of(p.z_high, wall_kind_words));
+}
+
+static void describe(Schema& s, BoxGrid& p)
+{
+    s.required("size", p.size, "m", "Lengths of the edges; one corner is the origin", positive);
+    s.required("cells", p.cells, "", "Cells along each edge", at_least(1));
+    s.value("blocks", p.blocks, "", "Blocks along each edge; each divides the cells", at_least(1));
+    s.group("walls", p.walls, "How the fluid meets each wall; periodic ends have none");
+}
+
+static void describe(Schema& s, Grid& p)
+{
+    s.exactly_one({"pipe", "box"});
+    s.group("pipe", p.pipe, "A straight round pipe");
+    s.group("box", p.box, "A rectangular box");
+    s.value("periodic", "Axes along which the domain repeats", choices_of(p.periodic, axis_words));
+}
+
+static void describe(Schema& s, ReverseAt& p)
+{
+    s.required("axis_speed", p.axis_speed, "m/s", "Speed on the axis of the pipe at which the gradient changes sign",
+               positive);
+}
+
+static void describe(Schema& s, Drive& p)
+{
+    s.required("pressure_gradient", p.pressure_gradient, "Pa/m",
+               "Mean pressure drop per length; with a frequency, its amplitude");
+    s.value("axis", "Axis along which it acts; it must be periodic", choice_of(p.axis, axis_words));
+    s.value("frequency", p.frequency, "Hz", "Makes the gradient harmonic: a cosine of time", positive);
+    s.group("reverse_at", p.reverse_at, "Makes the gradient change sign when the flow is fast enough");
+}
+
+static void describe(Schema& s, Material& p)
+{
+    s.required("density", p.density, "kg/m3", "Density", positive);
+    s.required("viscosity", p.viscosity, "m2/s", "Kinematic viscosity; 0 is an inviscid fluid", not_negative);
+}
+
+static void describe(Schema& s, Fluid& p)
+{
+    s.group("drive", p.drive, "What pushes the fluid along a periodic axis");
+    s.named_group("<material>", p.material, "The fluid, under a name of your choice such as water");
+}
+
+static void describe(Schema& s, Gravity& p)
+{
+    s.required("direction", "Direction of the weight", direction_of(p.direction));
+    s.value("magnitude", p.magnitude, "m/s2", "Acceleration", not_negative);
+}
+
+static void describe(Schema& s, Initial& p)
+{
+    s.value("arrangement", "Where the particles are at the start", choice_of(p.arrangement, arrangement_words));
+    s.value("low", p.low, "m", "Low corner of the region of their centres; without it, all of the domain");
+    s.value("high", p.high, "m", "High corner of the region of their centres; without it, all of the domain");
+    s.value("velocity", p.velocity, "m/s", "Their velocity");
+}
+
+static void describe(Schema& s, Species& p)
+{
+    s.required("name", p.name, "", "Name in results and messages");
+    s.required("count", p.count, "", "Number of particles", at_least(0));
+    s.required("diameter", p.diameter, "m", "Diameter", positive);
+    s.required("density", p.density, "kg/m3", "Density", positive);
+    s.group("initial", p.initial, "Where they are at the start");
+}
+
+static void describe(Schema& s, Contact& p)
+{
+    s.value("law", "Contact law; linear is a spring and a dashpot", choice_of(p.law, contact_law_words));
+    s.required("stiffness", p.stiffness, "N/m", "Normal stiffness of a contact", positive);
+    s.value("restitution", p.restitution, "1", "Normal speed after over before a dry collision",
+            Range{0.0, 1.0, true});
+    s.value("friction", p.friction, "1", "Coulomb coefficient between particles and with walls", not_negative);
+    s.value("tangential_ratio", p.tangential_ratio, "1", "Tangential over normal stiffness", between(0.0, 1.0));
+    s.value("steps_per_contact", p.steps_per_contact, "", "Sub-steps in the shortest collision", at_least(10));
+    s.value("walls", "Walls that particles meet: the faces of boundary cells, or the exact pipe or box",
+            choice_of(p.walls, wall_shape_words));
+}
+
+static void describe(Schema& s, Coupling& p)
+{
+    s.value("mode", "What waits for what in a step; auto chooses by the fluid", choice_of(p.mode, coupling_mode_words));
+    s.value("filter", p.filter, "", "Width of the filter between particles and fluid", not_negative);
+    s.value("preset", "standard: models of this program; seed: those of Ushijima & Nezu (2001)",
+            choice_of(p.preset, coupling_preset_words));
+    s.value("drag", "Drag law; without it, the preset's", choice_of(p.drag, drag_law_words));
+    s.value("added_mass", "Added mass; auto: unless the particles are much denser than the fluid",
+            choice_of(p.added_mass, switch_words));
+    s.value("lift", "Lift; auto: by its estimated size", choice_of(p.lift, switch_words));
+    s.value("torque", "Torque of the fluid on spinning particles; auto: by its estimated size",
+            choice_of(p.torque, switch_words));
+}
+
+static void describe(Schema& s, Limits& p)
+{
+    s.value("cfl", p.cfl, "1", "Cells that the fluid may cross in a step", positive);
+}
+
+static void describe(Schema& s, Run& p)
+{
+    s.value("settle", p.settle, "s", "Time before t = 0 in which the particles settle, without the drive", not_negative);
+    s.required("until", p.until, "s", "Simulated time at which the run ends", positive);
+    s.value("time_step", p.time_step, "s", "Fixed time step; without it, the largest within the limits", positive);
+    s.group("limits", p.limits, "What bounds the time step");
+    s.value("random_seed", p.random_seed, "", "Seed of all random choices", at_least(0));
+    s.value("wall_clock", p.wall_clock, "s", "Real time after which the run stops with a checkpoint", positive);
+}
+
+static void describe(Schema& s, Output& p)
+{
+    s.value("results", p.results, "", "Fields and particles, for ParaView");
+    s.value("pictures", p.pictures, "", "Pictures");
+    s.value("checkpoint", p.checkpoint, "", "Checkpoints, from which a run goes on with the same bits");
+    s.value("metrics", p.metrics, "", "Rows of metrics.csv");
+    s.value("keep_checkpoints", p.keep_checkpoints, "", "Newest checkpoints that are kept", at_least(1));
+}
+
+static void describe(Schema& s, Solver& p)
+{
+    s.value("tolerance", p.tolerance, "1", "Relative residual at which the pressure is solved", Range{0.0, 0.1, true});
+}
+
+void describe(Schema& s, Scene& p)
+{
+    s.required("name", p.name, "", "What the scene is");
+    s.required_group("grid", p.grid, "The domain and its cells");
+    s.group("fluid", p.fluid, "The fluid; without it, the particles are dry");
+    s.group("gravity", p.gravity, "Weight; without it, there is none");
+    s.list("particles", p.particles, "Species of spheres; without them, the fluid is alone");
+    s.group("contact", p.contact, "How particles collide; needed when there are particles");
+    s.group("coupling", p.coupling, "How fluid and particles act on each other");
+    s.required_group("run", p.run, "How long the run is, and its steps");
+    s.group("output", p.output, "What is written, and when");
+    s.group("solver", p.solver, "How exactly equations are solved");
+}
+
+} // namespace io

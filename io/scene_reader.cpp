@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#include "io/scene_reader.hpp"
+
+#include "core/base/error.hpp"
+#include "io/scene_description.hpp"
+#include <fmt/format.h>
+#include <fstream>
+#include <iterator>
+
+namespace io {
+
+namespace {
+
+    [[nodiscard]] std::string text_of(const std::filesystem::path& file)
+    {
+        std::ifstream stream(file, std::ios::binary);
+        core::require<core::ConfigError>(stream.good(), fmt::format("{} cannot be read", file.string()));
+        return {std::istreambuf_iterator<char>(stream), {}};
+    }
+
+} // namespace
+
+std::filesystem::path scene_file(const std::filesystem::path& path)
+{
+    namespace fs = std::filesystem;
+    const fs::path file = fs::is_directory(path) ? path / "scene.yaml" : path;
+    core::require<core::ConfigError>(fs::is_regular_file(file),
+                                     fmt::format("there is no scene at {}; give a scene.yaml or its folder",
+                                                 path.string()));
+    return file;
+}
+
+SceneReading read_scene_text(const std::string& name, const std::string& text, const std::vector<std::string>& overrides)
+{
+    SceneReading result{{}, std::make_unique<Problems>()};
+    Problems& problems = *result.problems;
+    const Source& source = problems.add_source(name, text);
+    std::optional<Node> root = parse_yaml(source, problems);
+    if (!root) return result; // what else is wrong cannot be known
+    for (const auto& assignment : overrides) apply_override(*root, assignment, problems);
+
+    const Units units;
+    const Reading reading{units, problems};
+    Locations locations;
+    const Mark start{&source, 1, 1};
+    locations.place("", start);
+    SchemaReader reader(*root, "", start, reading, locations);
+    describe(reader, result.scene);
+    reader.finish();
+    check_scene(result.scene, locations, problems);
+    if (result.scene.fluid && !result.scene.particles.empty() && !result.scene.coupling) result.scene.coupling.emplace();
+    return result;
+}
+
+Scene read_scene(const std::filesystem::path& path, const std::vector<std::string>& overrides)
+{
+    const auto file = scene_file(path);
+    SceneReading reading = read_scene_text(file.string(), text_of(file), overrides);
+    core::require<core::ConfigError>(reading.problems->empty(), reading.problems->text());
+    return std::move(reading.scene);
+}
+
+} // namespace io

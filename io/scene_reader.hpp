@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// From a scene.yaml to a Scene, or to the list of everything that is wrong with it.
+#include "io/problems.hpp"
+#include "io/scene.hpp"
+#include "io/schema_reader.hpp"
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace io {
+
+/// The scene file that a user means: the file itself, or scene.yaml in a folder.
+/// @throws core::ConfigError if there is none.
+[[nodiscard]] std::filesystem::path scene_file(const std::filesystem::path& path);
+
+/// A scene that was read; usable only when `problems` is empty.
+struct SceneReading {
+    Scene scene;
+    std::unique_ptr<Problems> problems; // by pointer: marks point into it
+};
+
+/// Reads a scene from a text. `overrides` are "key.path=value" and are applied in order.
+/// @param name  Stands for the text in messages.
+[[nodiscard]] SceneReading read_scene_text(const std::string& name, const std::string& text,
+                                           const std::vector<std::string>& overrides = {});
+
+/// Reads a scene file or the scene.yaml of a folder.
+/// @throws core::ConfigError with all problems, each with its place, if there are any.
+[[nodiscard]] Scene read_scene(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});
+
+/// Finds mistakes that only several keys together show; says nothing about values that could not be read.
+void check_scene(const Scene& scene, const Locations& locations, Problems& problems);
+
+} // namespace io

@@ -46,11 +46,11 @@ void make_empty_file(const std::string& path)
     ::close(file);
 }
 
-void reserve_room(const std::string& path, std::size_t from, std::size_t count)
+void reserve_room(const std::string& path, std::size_t size)
 {
     const int file = ::open(path.c_str(), O_WRONLY);
     if (file < 0) fail("open", path);
-    const bool failed = ::fallocate(file, 0, off_t(from), off_t(count)) != 0;
+    const bool failed = ::fallocate(file, 0, 0, off_t(size)) != 0;
     const int reason = errno;
     ::close(file);
     errno = reason;

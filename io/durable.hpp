@@ -10,8 +10,8 @@ namespace io {
 /// All throw core::FileError with the path and the system's reason.
 void make_directory(const std::string& path);
 void make_empty_file(const std::string& path);
-/// Makes sure that bytes [from, from + count) can be written; does nothing on file systems that cannot promise it.
-void reserve_room(const std::string& path, std::size_t from, std::size_t count);
+/// Makes sure that the file can grow to `size` bytes; does nothing on file systems that cannot promise it.
+void reserve_room(const std::string& path, std::size_t size);
 void cut_file(const std::string& path, std::size_t size);
 /// Sends `from` to the disk, renames it to `to`, and sends the folder's entry to the disk.
 void rename_durably(const std::string& from, const std::string& to);

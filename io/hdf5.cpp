@@ -115,13 +115,12 @@ void File::check(bool good, const std::string& action, const std::string& name) 
     throw core::FileError(core::text(path_, ": cannot ", action, what, reason()));
 }
 
-void File::reserve(std::size_t bytes) const
+void File::reserve(std::size_t bytes)
 {
+    constexpr std::size_t metadata = 65536; // far more than one dataset and its groups need
+    reserved_ += bytes + metadata;
     together(*writers_, [&] {
-        haddr_t end = 0;
-        check(H5Fget_eoa(file_.get(), &end) >= 0, "find the end of the file", "");
-        constexpr std::size_t metadata = 65536; // far more than one dataset and its groups need
-        if (writers_->rank() == 0) reserve_room(path_, end, bytes + metadata);
+        if (writers_->rank() == 0) reserve_room(path_, reserved_);
     });
 }
 

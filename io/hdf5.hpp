@@ -100,7 +100,7 @@ public:
 
 private:
     File(std::string path, Handle file, std::optional<core::Communicator> writers);
-    void reserve(std::size_t bytes) const;
+    void reserve(std::size_t bytes);
     void set_attribute(const std::string& object, const std::string& name, std::pair<hid_t, hid_t> type_and_space,
                        const void* value);
     [[nodiscard]] Handle attribute(const std::string& object, const std::string& name) const;
@@ -110,6 +110,7 @@ private:
 
     std::string path_;
     std::optional<core::Communicator> writers_;
+    std::size_t reserved_ = 0; ///< an upper bound of the size of the file [bytes]
     Handle file_;
 };
 

@@ -31,11 +31,12 @@ Multigrid::Multigrid(const BlockTopology& topology, const MultigridOptions& opti
     level.links = canonical_links(topology.links, link_source_);
     levels_.push_back(make_multigrid_level(level, options.shifted));
     while (cell_count(level) > options.coarsest_cells) {
-        std::vector<int> coarse_link;
+        std::vector<CoarseLink> coarse_link;
         BlockTopology next = coarsened(level, coarse_link);
         if (cell_count(next) == cell_count(level)) break;
         levels_.back().mesh.coarse_link = std::move(coarse_link);
         levels_.push_back(make_multigrid_level(next, options.shifted));
+        make_transfer(levels_.back());
         match_blocks(levels_[levels_.size() - 2], levels_.back());
         level = std::move(next);
     }
@@ -54,7 +55,8 @@ void Multigrid::list_steps()
         set_up_.insert(set_up_.end(), {{K::prepare_level, l}, {K::end_resistances, l}, {K::coarsen, l}});
     set_up_.push_back({K::factorise, last});
     for (int l = 0; l < last; ++l)
-        cycle_.insert(cycle_.end(), {{K::smooth_from_zero, l}, {K::smooth_second, l}, {K::residual, l}, {K::restrict_down, l}});
+        cycle_.insert(cycle_.end(), {{K::smooth_from_zero, l}, {K::smooth_second, l}, {K::residual, l},
+                                     {K::gather_children, l}, {K::share_parts, l}});
     cycle_.push_back({K::coarsest, last});
     for (int l = last - 1; l >= 0; --l)
         cycle_.insert(cycle_.end(), {{K::prolong_up, l}, {K::smooth_first, l}, {K::smooth_second, l}});
@@ -110,13 +112,14 @@ void Multigrid::run(const core::Team& team, const MultigridStep& step)
     switch (step.kind) {
     case K::prepare_level: return prepare_smoother(team, options_.smoother, level);
     case K::end_resistances: return link_end_resistances(team, level);
-    case K::coarsen: coarsen_coefficients(team, level, coarse()); return spread_links(coarse());
+    case K::coarsen: coarsen_coefficients(team, level, coarse()); return coarsen_links(level, coarse());
     case K::factorise: return coarsest_->factorise(level, options_.singular);
     case K::smooth_from_zero: return smooth_from_zero(team, weights_, level);
     case K::smooth_first: return smooth_first(team, weights_, level);
     case K::smooth_second: return smooth_second(team, weights_, level);
     case K::residual: return compute_residual(team, level);
-    case K::restrict_down: return restrict_residual(team, level, coarse());
+    case K::gather_children: return gather_children(team, level, coarse());
+    case K::share_parts: return share_parts(team, coarse());
     case K::coarsest: return coarsest_->solve(level);
     case K::prolong_up: return prolong_correction(team, coarse(), level);
     }

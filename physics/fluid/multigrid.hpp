@@ -25,7 +25,8 @@ struct MultigridOptions {
 struct MultigridStep {
     enum class Kind {
         prepare_level, end_resistances, coarsen, factorise,                          // set-up
-        smooth_from_zero, smooth_first, smooth_second, residual, restrict_down, coarsest, prolong_up // cycle
+        smooth_from_zero, smooth_first, smooth_second, residual, gather_children, share_parts, // cycle, down
+        coarsest, prolong_up
     };
     Kind kind;
     int level;

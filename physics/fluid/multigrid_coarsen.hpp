@@ -9,9 +9,11 @@ namespace physics {
 
 /// Half of the resistance between the two children of the coarse cell at either end of each link of `fine`.
 void link_end_resistances(const core::Team& team, MultigridLevel& fine);
-/// Coefficients of all blocks that have a finer block on this rank, and of the links of `fine`.
-/// @pre link_end_resistances(fine); ends on other ranks have been received.
+/// Coefficients and transfer weights of all blocks that have a finer block on this rank.
 void coarsen_coefficients(const core::Team& team, const MultigridLevel& fine, MultigridLevel& coarse);
+/// Coefficients and transfer weights of the links.
+/// @pre link_end_resistances(fine); ends on other ranks have been received.
+void coarsen_links(const MultigridLevel& fine, MultigridLevel& coarse);
 /// Copies the transmissibility of each link to its half links.
 void spread_links(MultigridLevel& level);
 

@@ -15,4 +15,14 @@ MultigridLevel make_multigrid_level(const BlockTopology& topology, bool with_shi
     return level;
 }
 
+void make_transfer(MultigridLevel& level)
+{
+    for (std::size_t side = 0; side < 6; ++side) {
+        level.weight[side].assign(level.mesh.layout.size(), 0.0F);
+        level.side_part[side].assign(level.mesh.layout.size(), 0.0F);
+    }
+    level.half_weight.assign(level.mesh.halves.size(), 0.0F);
+    level.half_part.assign(level.mesh.halves.size(), 0.0F);
+}
+
 } // namespace physics

@@ -28,6 +28,11 @@ struct MultigridLevel {
     std::vector<float> inverse;  ///< 1 / diagonal, or 1 / pivot of the line factorisation
     std::vector<std::array<float, 2>> end_resistance; ///< of each link: half a cell of the next level, at either end
     std::vector<float> right, residual, direction, solution, other;
+    /// How much of the difference to the neighbour beyond each side (see core::Side) the children next to it take.
+    std::array<std::vector<float>, 6> weight;
+    std::vector<float> half_weight;               ///< the same for what lies beyond a half link
+    std::array<std::vector<float>, 6> side_part;  ///< residual that goes to the neighbour beyond each side
+    std::vector<float> half_part;                 ///< residual that goes beyond a half link
     std::vector<int> fine_block;   ///< block of the next finer level, -1 where that is not on this rank
     std::vector<int> coarse_block; ///< block of the next coarser level
 
@@ -38,10 +43,14 @@ struct MultigridLevel {
                         + of(residual) + of(direction) + of(solution) + of(other) + of(mesh.links) + of(mesh.halves)
                         + of(mesh.half_of) + of(mesh.runs) + of(mesh.coarse_link);
         for (const auto& f : matrix.face) sum += of(f);
+        for (std::size_t n = 0; n < 6; ++n) sum += of(weight[n]) + of(side_part[n]);
+        sum += of(half_weight) + of(half_part);
         return sum;
     }
 };
 
 [[nodiscard]] MultigridLevel make_multigrid_level(const BlockTopology& topology, bool with_shift);
+/// Memory for the transfer to and from a finer level.
+void make_transfer(MultigridLevel& level);
 
 } // namespace physics

@@ -71,7 +71,7 @@ std::vector<SortedHalf> sorted_halves(const BlockTopology& topology, const Place
         const auto& link = topology.links[l];
         const auto add = [&](const LinkEnd& own, const LinkEnd& beyond) {
             const auto b = places.local(own.block);
-            if (b >= 0) result.push_back({{places.flat(layout, own), places.flat(layout, beyond), int(l)}, own, beyond, b});
+            if (b >= 0) result.push_back({{places.flat(layout, own), places.flat(layout, beyond), int(l), -1}, own, beyond, b});
         };
         add(link.a, link.b);
         add(link.b, link.a);
@@ -148,6 +148,10 @@ LevelMesh make_level_mesh(const BlockTopology& topology)
         mesh.half_of[std::size_t(s.half.link)][is_a ? 0 : 1] = int(mesh.halves.size());
         mesh.halves.push_back(s.half);
     }
+    for (std::size_t h = 0; h < mesh.halves.size(); ++h) {
+        const auto& ends = mesh.half_of[std::size_t(mesh.halves[h].link)];
+        mesh.halves[h].partner = ends[0] == int(h) ? ends[1] : ends[0];
+    }
     for (const auto& piece : mesh.layout.pieces()) {
         const auto first = std::lower_bound(mesh.halves.begin(), mesh.halves.end(), piece.begin,
                                             [](const HalfLink& h, std::ptrdiff_t begin) { return h.cell < begin; });
@@ -159,7 +163,7 @@ LevelMesh make_level_mesh(const BlockTopology& topology)
     return mesh;
 }
 
-BlockTopology coarsened(const BlockTopology& fine, std::vector<int>& coarse_link)
+BlockTopology coarsened(const BlockTopology& fine, std::vector<CoarseLink>& coarse_link)
 {
     BlockTopology coarse{{}, fine.owner, fine.rank, {}};
     for (const auto& c : fine.cells) coarse.cells.push_back(coarsened(c));
@@ -176,9 +180,10 @@ BlockTopology coarsened(const BlockTopology& fine, std::vector<int>& coarse_link
     coarse.links.erase(std::unique(coarse.links.begin(), coarse.links.end(), same), coarse.links.end());
     std::erase_if(coarse.links, links_with_itself);
     coarse_link.clear();
-    for (const auto& p : parents) {
-        const auto found = std::lower_bound(coarse.links.begin(), coarse.links.end(), p, before);
-        coarse_link.push_back(found != coarse.links.end() && same(*found, p) ? int(found - coarse.links.begin()) : -1);
+    for (std::size_t l = 0; l < parents.size(); ++l) {
+        const auto found = std::lower_bound(coarse.links.begin(), coarse.links.end(), parents[l], before);
+        const bool exists = found != coarse.links.end() && same(*found, parents[l]);
+        coarse_link.push_back({exists ? int(found - coarse.links.begin()) : -1, parents[l].a != parent(fine.links[l].a)});
     }
     return coarse;
 }

@@ -14,6 +14,7 @@ struct HalfLink {
     int cell = 0;  ///< flat place of the cell
     int other = 0; ///< flat place of the value beyond: a cell, a ghost, or zero behind a wall
     int link = 0;
+    int partner = -1; ///< half of the same link at the other end, -1 where that is not on this rank
 };
 
 /// All links of one cell on one side of its block: halves [first, last).
@@ -22,6 +23,12 @@ struct SideRun {
     int cell = 0; ///< index within the block
     core::Side side = core::Side::i_low;
     int first = 0, last = 0;
+};
+
+/// The link of the next level that takes a link in.
+struct CoarseLink {
+    int link = -1;       ///< -1: none
+    bool turned = false; ///< its first end holds the second end of the fine link
 };
 
 /// Values that this rank sends to, and ghosts that it receives from, one other rank.
@@ -43,7 +50,7 @@ struct LevelMesh {
     std::vector<std::array<int, 2>> half_of;  ///< halves of the two ends of a link, -1 where not on this rank
     std::vector<SideRun> runs;                ///< sorted by block
     std::vector<int> block_runs;              ///< first run of each block, and the end
-    std::vector<int> coarse_link;             ///< the link of the next level that takes this one in; -1: none
+    std::vector<CoarseLink> coarse_link;      ///< of each link; empty on the coarsest level
     std::vector<GhostExchange> exchanges;     ///< sorted by rank
 };
 
@@ -55,8 +62,8 @@ struct LevelMesh {
 [[nodiscard]] LevelMesh make_level_mesh(const BlockTopology& topology);
 
 /// The mesh with every second cell in each direction; equal links joined.
-/// @param[out] coarse_link  For each link of `fine` its number in the result, or -1.
-[[nodiscard]] BlockTopology coarsened(const BlockTopology& fine, std::vector<int>& coarse_link);
+/// @param[out] coarse_link  For each link of `fine` its link in the result.
+[[nodiscard]] BlockTopology coarsened(const BlockTopology& fine, std::vector<CoarseLink>& coarse_link);
 
 [[nodiscard]] inline core::Extents coarsened(core::Extents c) { return {(c.ni + 1) / 2, (c.nj + 1) / 2, (c.nk + 1) / 2}; }
 

@@ -7,56 +7,132 @@
 namespace physics {
 namespace {
 
-/// Coarse neighbour next to fine cell n of `fine`; the parent itself where there is none or where it was not halved.
-int near_neighbour(int n, int fine, int coarse)
+/// Coarse neighbour beyond the side at which fine cell n lies within its parent, and the number of that side (0 low,
+/// 1 high) along its axis. Where there is none the weight is zero and the neighbour is the parent.
+struct Near {
+    int neighbour = 0, side = 0;
+};
+Near near(int n, int coarse)
 {
     const int parent = n / 2;
-    if (n % 2 == 1) return std::min(parent + 1, coarse - 1);
-    return n + 1 == fine ? parent : std::max(parent - 1, 0);
+    return n % 2 == 1 ? Near{std::min(parent + 1, coarse - 1), 1} : Near{std::max(parent - 1, 0), 0};
 }
 
-/// x[i] += (parent + near neighbour along i + e[i / 2] + f[i / 2]) / 4 for one row of n cells.
-void prolong_row(int n, const float* parent, const float* e, const float* f, float* x)
-{
-    const int pairs = n / 2, coarse = (n + 1) / 2;
-    x[0] += 0.25F * (parent[0] + parent[0] + e[0] + f[0]);
-#pragma omp simd
-    for (int c = 1; c < pairs; ++c) x[2 * c] += 0.25F * (parent[c] + parent[c - 1] + e[c] + f[c]);
-#pragma omp simd
-    for (int c = 0; c < coarse - 1; ++c) x[2 * c + 1] += 0.25F * (parent[c] + parent[c + 1] + e[c] + f[c]);
-    const int c = coarse - 1;
-    if (n > 1) x[n - 1] += 0.25F * (parent[c] + parent[c] + e[c] + f[c]);
-}
+/// One row of a coarse level: values and weights of the parents, values of the neighbours along j and k.
+struct CoarseRow {
+    const float *parent, *low, *high;        // values, weights towards i_low and i_high
+    const float *beyond_j, *beyond_k;        // values of the nearest neighbours
+    const float *weight_j, *weight_k;
+    [[nodiscard]] float across(int c) const { return weight_j[c] * (beyond_j[c] - parent[c]) + weight_k[c] * (beyond_k[c] - parent[c]); }
+};
 
-/// sum[c] += r[2 c] + r[2 c + 1] for one row of n cells.
-void add_pairs(int n, const float* r, float* sum)
+/// Adds the interpolated correction to a fine row of n cells.
+void prolong_row(int n, const CoarseRow& row, float* x)
 {
     const int pairs = n / 2;
 #pragma omp simd
-    for (int c = 0; c < pairs; ++c) sum[c] += r[2 * c] + r[2 * c + 1];
-    if (n % 2 != 0) sum[pairs] += r[n - 1];
+    for (int c = 0; c < pairs; ++c) { // weights are zero at the ends of a row, whatever lies beyond
+        const float here = row.parent[c], base = here + row.across(c);
+        x[2 * c] += base + row.low[c] * (row.parent[c - 1] - here);
+        x[2 * c + 1] += base + row.high[c] * (row.parent[c + 1] - here);
+    }
+    if (n % 2 != 0) x[n - 1] += row.parent[pairs] + row.across(pairs);
 }
 
-/// Adds to the children next to the side of a run what the neighbours beyond it change.
-void correct_children(const MultigridLevel& coarse, const SideRun& run, core::Extents fine, core::View<float> x)
-{
-    const auto cells = coarse.mesh.layout.cells(run.block);
-    const auto place = cell_place(cells, run.cell);
-    const int axis = axis_of(run.side), n = fine[axis];
-    if (n == 1 || (is_high(run.side) && n % 2 != 0)) return;
-    float sum = 0.0F, weight = 0.0F;
-    for (int h = run.first; h < run.last; ++h) {
-        const auto& half = coarse.mesh.halves[std::size_t(h)];
-        const float t = coarse.matrix.half[std::size_t(h)];
-        sum += t * (coarse.solution[std::size_t(half.other)] - coarse.solution[std::size_t(half.cell)]);
-        weight += t;
+/// Sums over the children of each parent of a row, as they grow with each fine row.
+struct ChildSums {
+    float *all, *i_low, *i_high, *side_j, *side_k;
+
+    void add(int n, const float* r) const
+    {
+        const int pairs = n / 2;
+#pragma omp simd
+        for (int c = 0; c < pairs; ++c) {
+            const float low = r[2 * c], high = r[2 * c + 1], both = low + high;
+            all[c] += both;
+            i_low[c] += low;
+            i_high[c] += high;
+            side_j[c] += both;
+            side_k[c] += both;
+        }
+        if (n % 2 == 0) return;
+        all[pairs] += r[n - 1];
+        side_j[pairs] += r[n - 1];
+        side_k[pairs] += r[n - 1];
     }
-    if (weight <= 0.0F) return;
-    core::Index3 low{2 * place.i, 2 * place.j, 2 * place.k};
-    core::Index3 high{std::min(low.i + 2, fine.ni), std::min(low.j + 2, fine.nj), std::min(low.k + 2, fine.nk)};
-    low[axis] = is_high(run.side) ? n - 1 : 0;
-    high[axis] = low[axis] + 1;
-    core::for_each(low, high, [&](int i, int j, int k) { x(i, j, k) += 0.25F * (sum / weight); });
+};
+
+/// The children next to the side of a run: box [low, high) of fine cells, empty if the axis was not halved there.
+struct ChildBox {
+    core::Index3 low, high;
+};
+ChildBox children_beside(core::Extents coarse, core::Extents fine, const SideRun& run)
+{
+    const auto place = cell_place(coarse, run.cell);
+    const int axis = axis_of(run.side), n = fine[axis];
+    const core::Index3 low{2 * place.i, 2 * place.j, 2 * place.k};
+    ChildBox box{low, {std::min(low.i + 2, fine.ni), std::min(low.j + 2, fine.nj), std::min(low.k + 2, fine.nk)}};
+    box.low[axis] = is_high(run.side) ? n - 1 : 0;
+    box.high[axis] = box.low[axis] + (n == 1 || (is_high(run.side) && n % 2 != 0) ? 0 : 1);
+    return box;
+}
+
+/// Sums of the residuals of the children of a piece of the coarse level.
+void sum_children(const Piece& piece, const MultigridLevel& fine, core::LocalBlock fine_block, MultigridLevel& coarse)
+{
+    const auto cells = coarse.mesh.layout.cells(piece.block), below = fine.mesh.layout.cells(fine_block);
+    const float* r = fine.residual.data() + fine.mesh.layout.origin(fine_block);
+    std::fill(coarse.right.begin() + piece.begin, coarse.right.begin() + piece.end, 0.0F);
+    for (auto& part : coarse.side_part) std::fill(part.begin() + piece.begin, part.begin() + piece.end, 0.0F);
+    for (int row = piece.first(cells.nj * cells.nk); row < piece.last(cells.nj * cells.nk); ++row) {
+        const auto at = coarse.mesh.layout.origin(piece.block) + std::ptrdiff_t(row) * cells.ni;
+        const int j = 2 * (row % cells.nj), k = 2 * (row / cells.nj);
+        auto& part = coarse.side_part;
+        for (int kk = k; kk < std::min(k + 2, below.nk); ++kk)
+            for (int jj = j; jj < std::min(j + 2, below.nj); ++jj)
+                ChildSums{coarse.right.data() + at, part[0].data() + at, part[1].data() + at,
+                          part[std::size_t(2 + jj % 2)].data() + at, part[std::size_t(4 + kk % 2)].data() + at}
+                    .add(below.ni, r + std::ptrdiff_t(below.ni) * (jj + std::ptrdiff_t(below.nj) * kk));
+    }
+    for (std::size_t side = 0; side < 6; ++side) {
+        float* part = coarse.side_part[side].data();
+        const float* weight = coarse.weight[side].data();
+#pragma omp simd
+        for (auto c = piece.begin; c < piece.end; ++c) part[c] *= weight[c];
+    }
+}
+
+/// Residual that goes beyond the sides of a block.
+void sum_beside_links(const MultigridLevel& fine, core::LocalBlock fine_block, core::LocalBlock block, MultigridLevel& coarse)
+{
+    const auto& mesh = coarse.mesh;
+    const auto below = fine.mesh.layout.cells(fine_block);
+    const core::View<const float> r(fine.residual.data() + fine.mesh.layout.origin(fine_block), below, 0);
+    for (int n = mesh.block_runs[std::size_t(block)]; n < mesh.block_runs[std::size_t(block) + 1]; ++n) {
+        const auto& run = mesh.runs[std::size_t(n)];
+        const auto box = children_beside(mesh.layout.cells(block), below, run);
+        float sum = 0.0F;
+        core::for_each(box.low, box.high, [&](int i, int j, int k) { sum += r(i, j, k); });
+        for (int h = run.first; h < run.last; ++h)
+            coarse.half_part[std::size_t(h)] = coarse.half_weight[std::size_t(h)] * sum;
+    }
+}
+
+/// Adds to the children next to a side what the neighbours beyond it change.
+void correct_beside_links(const MultigridLevel& coarse, core::LocalBlock block, core::View<float> x)
+{
+    const auto& mesh = coarse.mesh;
+    for (int n = mesh.block_runs[std::size_t(block)]; n < mesh.block_runs[std::size_t(block) + 1]; ++n) {
+        const auto& run = mesh.runs[std::size_t(n)];
+        float change = 0.0F;
+        for (int h = run.first; h < run.last; ++h) {
+            const auto& half = mesh.halves[std::size_t(h)];
+            change += coarse.half_weight[std::size_t(h)]
+                    * (coarse.solution[std::size_t(half.other)] - coarse.solution[std::size_t(half.cell)]);
+        }
+        const auto box = children_beside(mesh.layout.cells(block), x.extents(), run);
+        core::for_each(box.low, box.high, [&](int i, int j, int k) { x(i, j, k) += change; });
+    }
 }
 
 } // namespace
@@ -68,22 +144,37 @@ void compute_residual(const core::Team& team, MultigridLevel& level)
     });
 }
 
-void restrict_residual(const core::Team& team, const MultigridLevel& fine, MultigridLevel& coarse)
+void gather_children(const core::Team& team, const MultigridLevel& fine, MultigridLevel& coarse)
 {
     const auto& layout = coarse.mesh.layout;
     layout.for_pieces(team, [&](int n) {
         const auto& piece = layout.pieces()[std::size_t(n)];
         const auto b = coarse.fine_block[std::size_t(piece.block)];
         if (b < 0) return;
-        const auto cells = layout.cells(piece.block), fine_cells = fine.mesh.layout.cells(b);
-        const float* r = fine.residual.data() + fine.mesh.layout.origin(b);
-        for (int row = piece.first(cells.nj * cells.nk); row < piece.last(cells.nj * cells.nk); ++row) {
-            float* sum = coarse.right.data() + layout.origin(piece.block) + std::ptrdiff_t(row) * cells.ni;
-            std::fill_n(sum, cells.ni, 0.0F);
-            const int j = 2 * (row % cells.nj), k = 2 * (row / cells.nj);
-            for (int kk = k; kk < std::min(k + 2, fine_cells.nk); ++kk)
-                for (int jj = j; jj < std::min(j + 2, fine_cells.nj); ++jj)
-                    add_pairs(fine_cells.ni, r + std::ptrdiff_t(fine_cells.ni) * (jj + std::ptrdiff_t(fine_cells.nj) * kk), sum);
+        sum_children(piece, fine, b, coarse);
+        if (piece.part == 0) sum_beside_links(fine, b, piece.block, coarse);
+    });
+}
+
+void share_parts(const core::Team& team, MultigridLevel& coarse)
+{
+    const auto& mesh = coarse.mesh;
+    mesh.layout.for_pieces(team, [&](int n) {
+        const auto& piece = mesh.layout.pieces()[std::size_t(n)];
+        if (coarse.fine_block[std::size_t(piece.block)] < 0) return;
+        const auto cells = mesh.layout.cells(piece.block);
+        const std::array<std::ptrdiff_t, 3> stride{1, cells.ni, std::ptrdiff_t(cells.ni) * cells.nj};
+        float* b = coarse.right.data();
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const float *low = coarse.side_part[2 * axis].data(), *high = coarse.side_part[2 * axis + 1].data();
+            const auto s = stride[axis];
+#pragma omp simd
+            for (auto c = piece.begin; c < piece.end; ++c) b[c] += (high[c - s] - low[c]) + (low[c + s] - high[c]);
+        }
+        for (int h = mesh.piece_halves[std::size_t(n)]; h < mesh.piece_halves[std::size_t(n) + 1]; ++h) {
+            const auto& half = mesh.halves[std::size_t(h)];
+            const float taken = half.partner >= 0 ? coarse.half_part[std::size_t(half.partner)] : 0.0F;
+            b[half.cell] += taken - coarse.half_part[std::size_t(h)];
         }
     });
 }
@@ -91,27 +182,28 @@ void restrict_residual(const core::Team& team, const MultigridLevel& fine, Multi
 void prolong_correction(const core::Team& team, const MultigridLevel& coarse, MultigridLevel& fine)
 {
     const auto& layout = fine.mesh.layout;
-    std::vector<float>& x = fine.solution;
     layout.for_pieces(team, [&](int n) {
         const auto& piece = layout.pieces()[std::size_t(n)];
         const auto b = fine.coarse_block[std::size_t(piece.block)];
         const auto cells = layout.cells(piece.block), above = coarse.mesh.layout.cells(b);
-        const float* e = coarse.solution.data() + coarse.mesh.layout.origin(b);
-        const auto row_of = [&](int j, int k) { return e + std::ptrdiff_t(above.ni) * (j + std::ptrdiff_t(above.nj) * k); };
+        const auto place = [&, origin = coarse.mesh.layout.origin(b)](int j, int k) {
+            return origin + std::ptrdiff_t(above.ni) * (j + std::ptrdiff_t(above.nj) * k);
+        };
+        const float* e = coarse.solution.data();
         for (int row = piece.first(cells.nj * cells.nk); row < piece.last(cells.nj * cells.nk); ++row) {
             const int j = row % cells.nj, k = row / cells.nj;
-            prolong_row(cells.ni, row_of(j / 2, k / 2), row_of(near_neighbour(j, cells.nj, above.nj), k / 2),
-                        row_of(j / 2, near_neighbour(k, cells.nk, above.nk)),
-                        x.data() + layout.origin(piece.block) + std::ptrdiff_t(row) * cells.ni);
+            const auto near_j = near(j, above.nj), near_k = near(k, above.nk);
+            const auto c = place(j / 2, k / 2);
+            prolong_row(cells.ni,
+                        {e + c, coarse.weight[0].data() + c, coarse.weight[1].data() + c, e + place(near_j.neighbour, k / 2),
+                         e + place(j / 2, near_k.neighbour), coarse.weight[std::size_t(2 + near_j.side)].data() + c,
+                         coarse.weight[std::size_t(4 + near_k.side)].data() + c},
+                        fine.solution.data() + layout.origin(piece.block) + std::ptrdiff_t(row) * cells.ni);
         }
     });
-    team.run(layout.blocks(), [&](int fine_block) {
-        const auto b = fine.coarse_block[std::size_t(fine_block)];
-        const auto cells = layout.cells(fine_block);
-        const core::View<float> children(x.data() + layout.origin(fine_block), cells, 0);
-        const auto& mesh = coarse.mesh;
-        for (int r = mesh.block_runs[std::size_t(b)]; r < mesh.block_runs[std::size_t(b) + 1]; ++r)
-            correct_children(coarse, mesh.runs[std::size_t(r)], cells, children);
+    team.run(layout.blocks(), [&](int b) {
+        const core::View<float> x(fine.solution.data() + layout.origin(b), layout.cells(b), 0);
+        correct_beside_links(coarse, fine.coarse_block[std::size_t(b)], x);
     });
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Residuals go down as sums, corrections come up by linear interpolation.
+// Corrections come up by linear interpolation along conductors in series, residuals go down by its transpose.
 #include "core/base/team.hpp"
 #include "physics/fluid/multigrid_level.hpp"
 
@@ -9,10 +9,16 @@ namespace physics {
 
 /// Residual of `solution`.
 void compute_residual(const core::Team& team, MultigridLevel& level);
-/// coarse.right = sums of fine.residual over the children, for blocks with a finer block here.
-void restrict_residual(const core::Team& team, const MultigridLevel& fine, MultigridLevel& coarse);
-/// fine.solution += interpolated coarse.solution: a quarter of the parent and of each of its three nearest neighbours;
-/// beyond a side the neighbour is the mean over the links, weighted with their transmissibilities.
+
+/// First part of the restriction: coarse.right = sums of fine.residual over the children; the parts that go to the
+/// neighbours of the parent, in coarse.side_part and coarse.half_part.
+void gather_children(const core::Team& team, const MultigridLevel& fine, MultigridLevel& coarse);
+/// Second part: coarse.right of every cell gives its parts and takes those of its neighbours.
+void share_parts(const core::Team& team, MultigridLevel& coarse);
+
+/// fine.solution += interpolated coarse.solution. A child takes its parent's value and, towards each of the three nearest
+/// neighbours of the parent, the share of the difference that lies between parent and child: a quarter in a uniform
+/// medium.
 /// @pre Ghosts of coarse.solution are up to date.
 void prolong_correction(const core::Team& team, const MultigridLevel& coarse, MultigridLevel& fine);
 

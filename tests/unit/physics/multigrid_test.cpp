@@ -68,3 +68,69 @@ TEST_CASE("a shifted system on random blocks has the solution of a dense factori
         CHECK((test::rows(p, solver.layout(), x) - expected).norm() < 1e-9 * expected.norm());
     }
 }
+
+TEST_CASE("the V-cycle is symmetric and positive, whatever the coefficients and links")
+{
+    for (unsigned seed = 1; seed <= 5; ++seed) {
+        const auto p = test::random_blocks(seed, 1e3);
+        physics::SevenPointSolver solver(p.topology, {.coarsest_cells = 30, .shifted = true, .singular = false});
+        solver.set_up(serial, p.coefficients(true));
+        const auto cycle = [&](const std::vector<double>& in) {
+            std::vector<double> out(solver.layout().size());
+            solver.precondition(serial, in, out);
+            return test::rows(p, solver.layout(), out);
+        };
+        const auto x = test::random_right(solver.layout(), seed), y = test::random_right(solver.layout(), seed + 100);
+        const Eigen::VectorXd mx = cycle(x), my = cycle(y), rx = test::rows(p, solver.layout(), x), ry = test::rows(p, solver.layout(), y);
+        // 32-bit round-off of a few hundred additions.
+        CHECK(std::abs(ry.dot(mx) - rx.dot(my)) < 1e-4 * std::sqrt(rx.dot(mx) * ry.dot(my)));
+        CHECK(rx.dot(mx) > 0.0);
+    }
+}
+
+TEST_CASE("threads do not change a bit of the solution")
+{
+    const auto p = test::random_blocks(3, 10.0);
+    std::vector<std::vector<double>> solutions;
+    const auto two = core::make_openmp_team(2);
+    for (const core::Team* team : {static_cast<const core::Team*>(&serial), static_cast<const core::Team*>(two.get())}) {
+        physics::SevenPointSolver solver(p.topology, {.coarsest_cells = 30});
+        solver.set_up(*team, p.coefficients());
+        auto right = test::random_right(solver.layout(), 5);
+        solutions.emplace_back(solver.layout().size(), 0.0);
+        (void)solver.solve(*team, {.most_iterations = 500, .singular = true}, right, solutions.back());
+    }
+    CHECK(solutions[0] == solutions[1]);
+}
+
+TEST_CASE("a closed domain with a net source is refused, and the defect of round-off is reported")
+{
+    const auto p = test::random_blocks(2, 10.0);
+    physics::SevenPointSolver solver(p.topology, {.coarsest_cells = 30});
+    solver.set_up(serial, p.coefficients());
+    auto right = test::random_right(solver.layout(), 5);
+    std::vector<double> x(solver.layout().size(), 0.0);
+    const auto report = solver.solve(serial, {.relative = 1e-14, .most_iterations = 500, .singular = true}, right, x);
+    CHECK(report.defect < 1e-14);
+    right[std::size_t(solver.layout().origin(0))] += 0.1;
+    CHECK_THROWS_AS((void)solver.solve(serial, {.singular = true}, right, x), core::NumericsError);
+    right[std::size_t(solver.layout().origin(0))] = std::nan("");
+    CHECK_THROWS_AS((void)solver.solve(serial, {.singular = true}, right, x), core::NumericsError);
+}
+
+TEST_CASE("BiCGSTAB and conjugate gradients find the same solution")
+{
+    const auto p = test::random_blocks(4, 1e2);
+    physics::SevenPointSolver solver(p.topology, {.coarsest_cells = 30});
+    solver.set_up(serial, p.coefficients());
+    auto right = test::random_right(solver.layout(), 5);
+    std::vector<double> x(solver.layout().size(), 0.0), y = x;
+    (void)solver.solve(serial, {.relative = 1e-11, .most_iterations = 500, .singular = true}, right, x);
+    physics::KrylovReport report;
+    const physics::KrylovOptions options{.relative = 1e-11, .most_iterations = 500, .singular = true};
+    physics::drive(
+        physics::bicgstab(serial, solver.workspace(), options, right, y, report),
+        [&](auto in, auto out) { solver.apply(serial, in, out); }, [&](auto in, auto out) { solver.precondition(serial, in, out); });
+    // Condition number some 1e4, residuals 1e-11.
+    CHECK(difference_up_to_a_constant(test::rows(p, solver.layout(), y), test::rows(p, solver.layout(), x)) < 1e-6);
+}

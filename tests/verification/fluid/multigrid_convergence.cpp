@@ -14,6 +14,12 @@ int iterations(const std::string& name, const test::ConductionProblem& p, physic
     physics::SevenPointSolver solver(p.topology, options);
     solver.set_up(serial, p.coefficients());
     auto right = test::random_right(solver.layout(), 7);
+    const auto& layout = solver.layout();
+    for (int b = 0; b < layout.blocks(); ++b) // a smooth part, without a net source: a dipole of every block's ends
+        for (std::ptrdiff_t c = 0; c < layout.cells(b).size() / 2; ++c) {
+            right[std::size_t(layout.origin(b) + c)] += 1.0;
+            right[std::size_t(layout.origin(b) + layout.cells(b).size() - 1 - c)] -= 1.0;
+        }
     std::vector<double> x(solver.layout().size(), 0.0);
     const auto report = solver.solve(serial, {.relative = 1e-8, .most_iterations = 300, .singular = true}, right, x);
     MESSAGE(name << ": " << physics::cell_count(p.topology) << " cells, " << report.iterations << " iterations");
@@ -50,4 +56,19 @@ TEST_CASE("blocks and periodic sides cost few iterations")
     CHECK(iterations("24 blocks, periodic", test::box_problem(grid)) <= 14);
     grid.blocks = {1, 1, 1};
     CHECK(iterations("one block, periodic with itself", test::box_problem(grid)) <= 14);
+}
+
+TEST_CASE("jumps of 1e3 between neighbouring cells are no obstacle")
+{
+    const auto spheres = [](double x, double y, double z) { return test::bed_and_spheres(x, y, z) == 0.36 ? 1e-3 : 1.0; };
+    CHECK(iterations("spheres 1e-3", test::box_problem(cube(32), spheres)) <= 20);
+    const auto bed = [](double, double y, double) { return y < 0.37 ? 1e-3 : 1.0; };
+    CHECK(iterations("bed 1e-3", test::box_problem(cube(32), bed)) <= 20);
+    CHECK(iterations("bed 1e-3, odd size", test::box_problem(cube(37), bed)) <= 20);
+    auto grid = cube(48);
+    grid.blocks = {3, 2, 4};
+    CHECK(iterations("spheres 1e-3 in 24 blocks", test::box_problem(grid, spheres)) <= 20);
+    // Islands of high conductivity that coarse cells cut are the worst case of series-parallel coarsening.
+    const auto islands = [](double x, double y, double z) { return test::bed_and_spheres(x, y, z) == 0.36 ? 1.0 : 1e-3; };
+    CHECK(iterations("islands 1e3", test::box_problem(cube(32), islands)) <= 60);
 }

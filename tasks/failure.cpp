@@ -62,12 +62,13 @@ Failure unpacked(const std::vector<std::byte>& bytes, std::int64_t step, int ran
 
 StepFailure::StepFailure(Failure failure) : core::Error(sentence(failure)), failure_(std::move(failure)) {}
 
-void Poison::record(const std::exception_ptr& error, const std::string& stage, core::LocalBlock block)
+bool Poison::record(const std::exception_ptr& error, const std::string& stage, core::LocalBlock block)
 {
-    if (is_poisoned(error)) return;
+    if (is_poisoned(error)) return false;
     const std::lock_guard lock(mutex_);
     if (!first_) first_ = Failure{stage, block, step_, rank_, message_of(error)};
     set_ = true;
+    return true;
 }
 
 std::optional<Failure> Poison::first() const
@@ -85,11 +86,13 @@ void Poison::clear(std::int64_t step, int rank)
     rank_ = rank;
 }
 
-std::optional<Failure> Poison::agree(const core::Communicator& ranks) const
+std::optional<Failure> Poison::agree(const core::Communicator& ranks, const std::function<void()>& meanwhile) const
 {
     if (ranks.size() == 1) return first();
     double failed = set() ? 1.0 : 0.0;
-    ranks.max(std::span(&failed, 1));
+    core::Pending pending;
+    ranks.start_max(std::span(&failed, 1), pending);
+    while (!pending.done()) meanwhile();
     if (failed == 0.0) return std::nullopt;
     const auto mine = first();
     const auto all = ranks.gather_all(mine ? packed(*mine) : std::vector<std::byte>{});

@@ -8,6 +8,7 @@
 #include <atomic>
 #include <cstdint>
 #include <exception>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -43,13 +44,14 @@ public:
     [[nodiscard]] bool set() const { return set_.load(std::memory_order_relaxed); }
     /// Another rank has failed.
     void spread() { set_ = true; }
-    /// Records `error` if it is the first; ignores Poisoned.
-    void record(const std::exception_ptr& error, const std::string& stage, core::LocalBlock block);
+    /// Records `error` if it is the first. @return False for Poisoned, which is nobody's failure.
+    bool record(const std::exception_ptr& error, const std::string& stage, core::LocalBlock block);
     /// The first failure of this rank, if any.
     [[nodiscard]] std::optional<Failure> first() const;
     void clear(std::int64_t step, int rank);
     /// The failure that all ranks report: that of the lowest rank that has one; none if no rank has failed. Collective.
-    [[nodiscard]] std::optional<Failure> agree(const core::Communicator& ranks) const;
+    /// @param meanwhile  Called again and again until all ranks have come.
+    [[nodiscard]] std::optional<Failure> agree(const core::Communicator& ranks, const std::function<void()>& meanwhile) const;
 
 private:
     std::atomic<bool> set_ = false;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <vector>
 
 namespace tasks {
 
@@ -21,8 +22,8 @@ void GuardedTeam::run(int chunks, const std::function<void(int)>& body) const
     });
 }
 
-Lane::Lane(std::string stage, LaneContext context, core::Communicator communicator)
-    : stage_(std::move(stage)), context_(std::move(context)), communicator_(std::move(communicator)),
+Lane::Lane(std::string stage, LaneContext context, const core::Communicator& communicator)
+    : stage_(std::move(stage)), context_(std::move(context)), communicator_(communicator),
       team_(context_.team, context_.pump, context_.poison, stage_)
 {
 }
@@ -35,7 +36,7 @@ bool Lane::Arrival::await_ready()
 
 void Lane::Arrival::await_suspend(std::coroutine_handle<> job)
 {
-    context_.pump.wait_for(messages_, [&resume = context_.resume, job] { resume(job); });
+    context_.pump.wait_for(messages_, [&resume = context_.resume, job](Outcome o) { resume(job, o); });
 }
 
 Lane::Arrival Lane::arrive(core::Pending& messages) { return {context_, messages}; }
@@ -48,21 +49,21 @@ Job Lane::reduce(std::span<double> values, Operation operation)
         if (poisoned()) throw Poisoned{};
         co_return;
     }
-    buffer_.assign(values.begin(), values.end());
-    buffer_.push_back(poisoned() ? 1.0 : 0.0);
+    std::vector<double> buffer(values.begin(), values.end());
+    buffer.push_back(poisoned() ? 1.0 : 0.0);
     core::Pending pending;
     {
         const auto mpi = messages();
-        if (operation == Operation::sum) communicator_.start_sum(buffer_, pending);
-        else communicator_.start_max(buffer_, pending);
+        if (operation == Operation::sum) communicator_.start_sum(buffer, pending);
+        else communicator_.start_max(buffer, pending);
     }
     co_await arrive(pending);
     // Only what was reduced decides: a failure here since then must not make this rank leave alone.
-    if (buffer_.back() > 0.0) {
+    if (buffer.back() > 0.0) {
         context_.poison.spread();
         throw Poisoned{};
     }
-    std::copy_n(buffer_.begin(), values.size(), values.begin());
+    std::copy_n(buffer.begin(), values.size(), values.begin());
 }
 
 void run(const core::Communicator& communicator, const core::Team& team, const std::function<Job(Lane&)>& job)
@@ -71,7 +72,7 @@ void run(const core::Communicator& communicator, const core::Team& team, const s
     Poison poison;
     poison.clear(0, communicator.rank());
     std::deque<std::coroutine_handle<>> arrived;
-    Lane lane("job", {team, pump, poison, [&](std::coroutine_handle<> h) { arrived.push_back(h); }}, communicator);
+    Lane lane("job", {team, pump, poison, [&](std::coroutine_handle<> h, Outcome) { arrived.push_back(h); }}, communicator);
     bool ended = false;
     std::exception_ptr error;
     Job running = job(lane);
@@ -86,7 +87,7 @@ void run(const core::Communicator& communicator, const core::Team& team, const s
     try {
         if (error) std::rethrow_exception(error);
     } catch (const Poisoned&) { // thrown on all ranks alike
-        throw StepFailure(poison.agree(communicator).value());
+        throw StepFailure(poison.agree(communicator, [] {}).value());
     }
     if (const auto failure = poison.first()) throw StepFailure(*failure);
 }

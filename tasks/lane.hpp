@@ -12,12 +12,11 @@
 #include <mutex>
 #include <span>
 #include <string>
-#include <vector>
 
 namespace tasks {
 
-/// Continues a suspended job on some thread.
-using Resume = std::function<void(std::coroutine_handle<>)>;
+/// A suspended job's messages are there: continue it on some thread. Or they will never come: leave it.
+using Resume = std::function<void(std::coroutine_handle<>, Outcome)>;
 
 /// Runs loops on another team; an exception in a chunk is recorded instead of thrown, and poisons the step.
 class GuardedTeam final : public core::Team {
@@ -46,8 +45,8 @@ struct LaneContext {
 
 class Lane {
 public:
-    /// @param communicator  A space of messages that no other lane uses.
-    Lane(std::string stage, LaneContext context, core::Communicator communicator);
+    /// @param communicator  A space of messages that no other lane uses; must outlive the lane.
+    Lane(std::string stage, LaneContext context, const core::Communicator& communicator);
     Lane(const Lane&) = delete;
     Lane& operator=(const Lane&) = delete;
 
@@ -91,9 +90,8 @@ private:
 
     std::string stage_;
     LaneContext context_;
-    core::Communicator communicator_;
+    const core::Communicator& communicator_;
     GuardedTeam team_;
-    std::vector<double> buffer_;
 };
 
 class Lane::Arrival {

@@ -6,30 +6,60 @@
 
 namespace tasks {
 
-void MessagePump::wait_for(core::Pending& messages, std::function<void()> arrived)
+void MessagePump::wait_for(core::Pending& messages, std::function<void(Outcome)> settled)
 {
+    {
+        const std::lock_guard lock(list_);
+        if (!alarmed()) {
+            waiting_.push_back({&messages, std::move(settled)});
+            waiting_count_.store(int(waiting_.size()), std::memory_order_release);
+            return;
+        }
+    }
+    settled(Outcome::abandoned);
+}
+
+/// With the token held: the messages that are done, or all of them after an alarm.
+std::vector<MessagePump::Waiting> MessagePump::take_settled()
+{
+    std::vector<Waiting> settled;
     const std::lock_guard lock(list_);
-    waiting_.push_back({&messages, std::move(arrived)});
+    std::erase_if(waiting_, [&](Waiting& w) {
+        const bool now = alarmed() || w.messages->done();
+        if (now) settled.push_back(std::move(w));
+        return now;
+    });
     waiting_count_.store(int(waiting_.size()), std::memory_order_release);
+    return settled;
 }
 
 bool MessagePump::poll()
 {
     if (idle()) return false;
-    std::vector<std::function<void()>> arrived;
+    std::vector<Waiting> settled;
     {
         const std::unique_lock mpi(token_, std::try_to_lock);
         if (!mpi) return false;
-        const std::lock_guard lock(list_);
-        std::erase_if(waiting_, [&](Waiting& w) {
-            const bool done = w.messages->done();
-            if (done) arrived.push_back(std::move(w.arrived));
-            return done;
-        });
-        waiting_count_.store(int(waiting_.size()), std::memory_order_release);
+        if (alarm_) alarm_->heard();
+        settled = take_settled();
     }
-    for (const auto& call : arrived) call();
-    return !arrived.empty();
+    const Outcome outcome = alarmed() ? Outcome::abandoned : Outcome::arrived;
+    for (const Waiting& w : settled) w.settled(outcome);
+    return !settled.empty();
 }
+
+void MessagePump::raise_alarm()
+{
+    if (!alarm_) return;
+    const std::lock_guard mpi(token_);
+    alarm_->raise();
+}
+
+void MessagePump::listen()
+{
+    if (alarm_) alarm_->heard();
+}
+
+bool MessagePump::end_alarm() { return alarm_ && alarm_->end(); }
 
 } // namespace tasks

@@ -24,7 +24,10 @@ NodeRunner::NodeRunner(const Plan& plan, const core::Team& team, Trace* trace, R
     for (std::size_t n = 0; n < lanes_.size(); ++n) {
         const Stage& stage = plan.stage_of(plan.nodes()[n]);
         if (!stage.whole()) continue;
-        const auto resume = [this, node = int(n)](std::coroutine_handle<> job) { events_.arrived({node, job}); };
+        const auto resume = [this, node = int(n)](std::coroutine_handle<> job, Outcome outcome) {
+            if (outcome == Outcome::arrived) events_.arrived({node, job});
+            else abandon(node);
+        };
         lanes_[n] = std::make_unique<Lane>(stage.name, LaneContext{team, plan.pump(), poison_, resume}, *stage.communicator);
     }
 }
@@ -62,7 +65,18 @@ void NodeRunner::resume(Arrived arrived)
 
 void NodeRunner::end_step()
 {
-    if (const auto failure = poison_.agree(plan_.ranks())) throw StepFailure(*failure);
+    MessagePump& pump = plan_.pump();
+    const auto failure = poison_.agree(plan_.ranks(), [&] { pump.listen(); });
+    if (!failure) return;
+    if (pump.end_alarm()) plan_.renew_communicators();
+    throw StepFailure(*failure);
+}
+
+void NodeRunner::abandon(int n)
+{
+    poison_.spread();
+    plan_.keep_abandoned(std::move(jobs_[std::size_t(n)]));
+    events_.ended(n);
 }
 
 void NodeRunner::run_blocks(const Node& node, const Stage& stage)
@@ -87,11 +101,13 @@ void NodeRunner::run_rank(const Stage& stage, Lane& lane)
 void NodeRunner::start_job(int n, const Stage& stage, Lane& lane)
 {
     const bool others_wait = plan_.ranks().size() > 1;
-    if (poison_.set() && !others_wait) return events_.ended(n);
+    const bool others_left = plan_.pump().alarmed();
+    if (others_left) poison_.spread();
+    if (others_left || (poison_.set() && !others_wait)) return events_.ended(n);
     Job& job = jobs_[std::size_t(n)];
     job = stage.effect ? after_agreement(stage, lane) : stage.job(lane);
     job.start([this, n, &stage](const std::exception_ptr& error) {
-        if (error) poison_.record(error, stage.name, -1);
+        if (error && poison_.record(error, stage.name, -1)) plan_.pump().raise_alarm();
         events_.ended(n);
     });
 }

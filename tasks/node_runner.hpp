@@ -44,6 +44,7 @@ private:
     void run_blocks(const Node& node, const Stage& stage);
     void run_rank(const Stage& stage, Lane& lane);
     void start_job(int node, const Stage& stage, Lane& lane);
+    void abandon(int node);
     void trace(int node, double start);
 
     const Plan& plan_;

@@ -20,6 +20,9 @@ const Stage& Plan::stage(int s) const { return graph_->stages_[std::size_t(s)]; 
 MessagePump& Plan::pump() const { return graph_->pump_; }
 const core::Communicator& Plan::ranks() const { return graph_->ranks_; }
 
+void Plan::renew_communicators() const { graph_->renew_communicators(); }
+void Plan::keep_abandoned(Job job) const { graph_->keep_abandoned(std::move(job)); }
+
 std::pair<int, int> Plan::nodes_of(int stage) const
 {
     const auto range = std::ranges::equal_range(nodes_, stage, {}, &Node::stage);

@@ -64,6 +64,10 @@ public:
     [[nodiscard]] PlanReport describe() const;
     [[nodiscard]] MessagePump& pump() const;
     [[nodiscard]] const core::Communicator& ranks() const;
+    /// After an alarm: message spaces without the messages that nobody will receive. Collective.
+    void renew_communicators() const;
+    /// Keeps the buffers of a job that waits for messages which nobody will send.
+    void keep_abandoned(Job job) const;
 
 private:
     friend class StageGraph;

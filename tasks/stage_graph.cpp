@@ -10,7 +10,7 @@
 namespace tasks {
 
 StageGraph::StageGraph(Layout layout, const core::Communicator& ranks)
-    : layout_(std::move(layout)), ranks_(ranks.duplicate())
+    : layout_(std::move(layout)), ranks_(ranks.duplicate()), pump_(ranks_)
 {
 }
 
@@ -76,6 +76,18 @@ Plan StageGraph::compile(const std::vector<std::string>& due)
     for (const auto& resource : resources_)
         if (resource.allocate && needed.contains(resource.id)) resource.allocate();
     return plan;
+}
+
+void StageGraph::renew_communicators()
+{
+    for (Stage& stage : stages_)
+        if (stage.communicator) given_up_.push_back(std::exchange(*stage.communicator, ranks_.duplicate()));
+}
+
+void StageGraph::keep_abandoned(Job job)
+{
+    const std::lock_guard lock(abandoned_mutex_);
+    abandoned_.push_back(std::move(job));
 }
 
 } // namespace tasks

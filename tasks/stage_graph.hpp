@@ -148,6 +148,8 @@ private:
     static void check_halo(const core::FieldInfo& field, int width);
     void refresh_halo(const void* id, FieldRef field, const std::string& name, int width);
     void remember(ResourceRecord record);
+    void renew_communicators();
+    void keep_abandoned(Job job);
     Declared add(Stage stage);
 
     Layout layout_;
@@ -159,6 +161,9 @@ private:
     std::map<const void*, Halo> halos_;
     HaloFiller* filler_ = nullptr;
     std::string lane_;
+    std::mutex abandoned_mutex_;
+    std::vector<Job> abandoned_;                 ///< never continued: MPI may still know their buffers
+    std::vector<core::Communicator> given_up_;   ///< with messages that nobody receives
 };
 
 } // namespace tasks

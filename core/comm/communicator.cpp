@@ -91,6 +91,13 @@ void Communicator::receive(std::span<std::byte> data, int from, int tag, Pending
     MPI_Irecv(data.data(), count_of(data.size()), MPI_BYTE, from, tag, handle_->comm, &request);
 }
 
+bool Communicator::has_message(int from, int tag) const
+{
+    int flag = 0;
+    MPI_Iprobe(from, tag, handle_->comm, &flag, MPI_STATUS_IGNORE);
+    return flag != 0;
+}
+
 void Communicator::sum(std::span<double> v) const
 {
     MPI_Allreduce(MPI_IN_PLACE, v.data(), count_of(v.size()), MPI_DOUBLE, MPI_SUM, handle_->comm);

@@ -53,6 +53,8 @@ public:
 
     void send(std::span<const std::byte> data, int to, int tag, Pending& pending) const;
     void receive(std::span<std::byte> data, int from, int tag, Pending& pending) const;
+    /// Whether a message could be received at once. Never waits.
+    [[nodiscard]] bool has_message(int from, int tag) const;
 
     /// Element-wise sum over the ranks, in place. The order of additions is not fixed: see reduce.hpp for sums whose
     /// bits must not depend on the number of ranks.

@@ -9,17 +9,6 @@
 namespace physics {
 namespace {
 
-/// Columns of the particles as plain pointers, for vector code.
-struct Columns {
-    const double *x, *y, *z, *vx, *vy, *vz, *wx, *wy, *wz, *radius;
-    explicit Columns(const core::ParticleSet& p)
-        : x(p.position[0].data()), y(p.position[1].data()), z(p.position[2].data()), vx(p.velocity[0].data()),
-          vy(p.velocity[1].data()), vz(p.velocity[2].data()), wx(p.spin[0].data()), wy(p.spin[1].data()), wz(p.spin[2].data()),
-          radius(p.radius.data())
-    {
-    }
-};
-
 /// Centres closer than this share of the sum of their radii have no direction of their own.
 constexpr double coincident_share = 1e-10;
 
@@ -31,64 +20,131 @@ struct PairColumns {
     ContactForce* forces;
 };
 
-/// Evaluates near pair m, whose centres are (dx, dy, dz) apart.
-inline void contact_of(const Columns& p, const PairColumns& pair, int m, double dx, double dy, double dz, const LinearContact& law)
+/// The law of near pair m: the only one, or that of its two species.
+struct OneLaw {
+    LinearContact law;
+    const LinearContact& operator()(int) const { return law; }
+};
+
+struct LawTable {
+    const LinearContact* laws;
+    const std::uint16_t* kind;
+    const LinearContact& operator()(int m) const { return laws[kind[m]]; }
+};
+
+/// What the particles of some consecutive pairs bring together, and what comes out: small enough for the innermost cache.
+struct alignas(64) PairBlock {
+    static constexpr int size = 64;
+    using Lane = double[size];
+    Lane dx, dy, dz, vx, vy, vz; ///< Second centre from the first; velocity of the first against the second.
+    Lane ri, rj, ax, ay, az, bx, by, bz; ///< Radii and spins.
+    Lane fx, fy, fz, tx, ty, tz, li, lj; ///< Force, normal x force, lever arms.
+};
+
+/// Reads pairs [begin, begin + count). shift_of(m, axis) is the image shift.
+template <class ShiftOf>
+void read_block(const core::ParticleSet& p, const PairColumns& pair, int begin, int count, ShiftOf shift_of, PairBlock& b)
 {
-    const int i = pair.first[m], j = pair.second[m];
-    const double reach = p.radius[i] + p.radius[j], least = coincident_share * reach;
-    const double distance = std::sqrt(std::max(dx * dx + dy * dy + dz * dz, least * least)), inverse = 1.0 / distance;
-    ContactInput in;
-    in.overlap = reach - distance;
-    in.nx = dx * inverse;
-    in.ny = dy * inverse;
-    in.nz = dz * inverse;
-    in.vx = p.vx[i] - p.vx[j];
-    in.vy = p.vy[i] - p.vy[j];
-    in.vz = p.vz[i] - p.vz[j];
-    const double vn = in.vx * in.nx + in.vy * in.ny + in.vz * in.nz, back = 0.5 * law.step * inverse;
-    in.mx = in.nx + back * (in.vx - vn * in.nx);
-    in.my = in.ny + back * (in.vy - vn * in.ny);
-    in.mz = in.nz + back * (in.vz - vn * in.nz);
-    const double li = p.radius[i] - 0.5 * in.overlap, lj = p.radius[j] - 0.5 * in.overlap;
-    in.wx = li * p.wx[i] + lj * p.wx[j];
-    in.wy = li * p.wy[i] + lj * p.wy[j];
-    in.wz = li * p.wz[i] + lj * p.wz[j];
-    in.twist = 0.5 * ((p.wx[i] + p.wx[j]) * in.nx + (p.wy[i] + p.wy[j]) * in.ny + (p.wz[i] + p.wz[j]) * in.nz);
-    in.sx = pair.sx[m];
-    in.sy = pair.sy[m];
-    in.sz = pair.sz[m];
-    in.root_mass = pair.root_mass[m];
-    const ContactOutput out = law(in);
-    pair.sx[m] = out.sx;
-    pair.sy[m] = out.sy;
-    pair.sz[m] = out.sz;
-    ContactForce& force = pair.forces[m];
-    force.force[0] = out.fx;
-    force.force[1] = out.fy;
-    force.force[2] = out.fz;
-    force.lever_first = li;
-    force.torque[0] = in.ny * out.fz - in.nz * out.fy;
-    force.torque[1] = in.nz * out.fx - in.nx * out.fz;
-    force.torque[2] = in.nx * out.fy - in.ny * out.fx;
-    force.lever_second = lj;
+    const double *x = p.position[0].data(), *y = p.position[1].data(), *z = p.position[2].data(), *radius = p.radius.data();
+    const double *vx = p.velocity[0].data(), *vy = p.velocity[1].data(), *vz = p.velocity[2].data();
+    const double *wx = p.spin[0].data(), *wy = p.spin[1].data(), *wz = p.spin[2].data();
+    for (int k = 0; k < count; ++k) {
+        const int i = pair.first[begin + k], j = pair.second[begin + k];
+        b.dx[k] = x[j] - x[i] + shift_of(begin + k, 0);
+        b.dy[k] = y[j] - y[i] + shift_of(begin + k, 1);
+        b.dz[k] = z[j] - z[i] + shift_of(begin + k, 2);
+        b.vx[k] = vx[i] - vx[j];
+        b.vy[k] = vy[i] - vy[j];
+        b.vz[k] = vz[i] - vz[j];
+        b.ri[k] = radius[i];
+        b.rj[k] = radius[j];
+        b.ax[k] = wx[i];
+        b.ay[k] = wy[i];
+        b.az[k] = wz[i];
+        b.bx[k] = wx[j];
+        b.by[k] = wy[j];
+        b.bz[k] = wz[j];
+    }
 }
 
-/// Near pairs [begin, end); law_of(m) gives the law, shift_of(m, axis) the image shift. Returns whether any centres coincide.
-template <class LawOf, class ShiftOf>
-bool run_pairs(const Columns p, const PairColumns pair, int begin, int end, LawOf law_of, ShiftOf shift_of)
+/// Gives pairs whose centres coincide a direction from their ids, and no spring.
+void separate(const PairScene& scene, const PairColumns& pair, int begin, int count, PairBlock& b);
+
+/// Forces of the pairs in the block; moves their springs. law_of(m) is the law of near pair m.
+template <class LawOf>
+void evaluate_block(const PairColumns& pair, int begin, int count, LawOf law_of, PairBlock& b)
 {
-    int coincident = 0;
-#pragma omp simd reduction(| : coincident)
-    for (int m = begin; m < end; ++m) {
-        const int i = pair.first[m], j = pair.second[m];
-        const double dx = p.x[j] - p.x[i] + shift_of(m, 0);
-        const double dy = p.y[j] - p.y[i] + shift_of(m, 1);
-        const double dz = p.z[j] - p.z[i] + shift_of(m, 2);
-        const double least = coincident_share * (p.radius[i] + p.radius[j]);
-        coincident |= int(dx * dx + dy * dy + dz * dz < least * least);
-        contact_of(p, pair, m, dx, dy, dz, law_of(m));
+    double *sx = pair.sx + begin, *sy = pair.sy + begin, *sz = pair.sz + begin;
+    const double* root_mass = pair.root_mass + begin;
+#pragma omp simd
+    for (int k = 0; k < count; ++k) {
+        const LinearContact& law = law_of(begin + k);
+        const double dx = b.dx[k], dy = b.dy[k], dz = b.dz[k];
+        const double distance = std::sqrt(dx * dx + dy * dy + dz * dz), inverse = 1.0 / distance;
+        ContactInput in;
+        in.overlap = b.ri[k] + b.rj[k] - distance;
+        in.nx = dx * inverse;
+        in.ny = dy * inverse;
+        in.nz = dz * inverse;
+        in.vx = b.vx[k];
+        in.vy = b.vy[k];
+        in.vz = b.vz[k];
+        const double vn = in.vx * in.nx + in.vy * in.ny + in.vz * in.nz, back = 0.5 * law.step * inverse;
+        in.mx = in.nx + back * (in.vx - vn * in.nx);
+        in.my = in.ny + back * (in.vy - vn * in.ny);
+        in.mz = in.nz + back * (in.vz - vn * in.nz);
+        const double li = b.ri[k] - 0.5 * in.overlap, lj = b.rj[k] - 0.5 * in.overlap;
+        in.wx = li * b.ax[k] + lj * b.bx[k];
+        in.wy = li * b.ay[k] + lj * b.by[k];
+        in.wz = li * b.az[k] + lj * b.bz[k];
+        in.twist = 0.5 * ((b.ax[k] + b.bx[k]) * in.nx + (b.ay[k] + b.by[k]) * in.ny + (b.az[k] + b.bz[k]) * in.nz);
+        in.sx = sx[k];
+        in.sy = sy[k];
+        in.sz = sz[k];
+        in.root_mass = root_mass[k];
+        const ContactOutput out = law(in);
+        sx[k] = out.sx;
+        sy[k] = out.sy;
+        sz[k] = out.sz;
+        b.fx[k] = out.fx;
+        b.fy[k] = out.fy;
+        b.fz[k] = out.fz;
+        b.tx[k] = in.ny * out.fz - in.nz * out.fy;
+        b.ty[k] = in.nz * out.fx - in.nx * out.fz;
+        b.tz[k] = in.nx * out.fy - in.ny * out.fx;
+        b.li[k] = li;
+        b.lj[k] = lj;
     }
-    return coincident != 0;
+}
+
+void write_block(const PairBlock& b, int count, ContactForce* forces)
+{
+    for (int k = 0; k < count; ++k)
+        forces[k] = {{b.fx[k], b.fy[k], b.fz[k]}, b.li[k], {b.tx[k], b.ty[k], b.tz[k]}, b.lj[k]};
+}
+
+bool any_coincident(const PairBlock& b, int count)
+{
+    int found = 0;
+#pragma omp simd reduction(| : found)
+    for (int k = 0; k < count; ++k) {
+        const double least = coincident_share * (b.ri[k] + b.rj[k]);
+        found |= int(b.dx[k] * b.dx[k] + b.dy[k] * b.dy[k] + b.dz[k] * b.dz[k] < least * least);
+    }
+    return found != 0;
+}
+
+template <class LawOf, class ShiftOf>
+void run_pairs(const PairScene& scene, const PairColumns& pair, int begin, int end, LawOf law_of, ShiftOf shift_of)
+{
+    PairBlock block;
+    for (; begin < end; begin += PairBlock::size) {
+        const int count = std::min(PairBlock::size, end - begin);
+        read_block(scene.particles, pair, begin, count, shift_of, block);
+        if (any_coincident(block, count)) separate(scene, pair, begin, count, block);
+        evaluate_block(pair, begin, count, law_of, block);
+        write_block(block, count, pair.forces + begin);
+    }
 }
 
 /// A direction for two particles at the same place, from their ids.
@@ -99,18 +155,18 @@ core::Vec3 direction_of(std::uint64_t seed, std::int64_t low, std::int64_t high)
     return {r * std::cos(around), r * std::sin(around), z};
 }
 
-/// Pushes particles apart whose centres coincide, along directions from their ids, without friction.
-template <class LawOf>
-void separate(const PairScene& scene, const PairColumns& pair, int begin, int end, LawOf law_of)
+void separate(const PairScene& scene, const PairColumns& pair, int begin, int count, PairBlock& b)
 {
-    const auto& set = scene.particles;
-    for (int m = begin; m < end; ++m) {
-        const auto i = std::size_t(pair.first[m]), j = std::size_t(pair.second[m]);
-        const double least = coincident_share * (set.radius[i] + set.radius[j]);
-        if ((set.position_of(int(j)) - set.position_of(int(i))).squaredNorm() >= least * least) continue;
-        const core::Vec3 d = least * direction_of(scene.seed, set.id[i], set.id[j]);
+    const auto& id = scene.particles.id;
+    for (int k = 0; k < count; ++k) {
+        const double least = coincident_share * (b.ri[k] + b.rj[k]);
+        if (b.dx[k] * b.dx[k] + b.dy[k] * b.dy[k] + b.dz[k] * b.dz[k] >= least * least) continue;
+        const int m = begin + k;
+        const auto d = direction_of(scene.seed, id[std::size_t(pair.first[m])], id[std::size_t(pair.second[m])]);
+        b.dx[k] = least * d[0];
+        b.dy[k] = least * d[1];
+        b.dz[k] = least * d[2];
         pair.sx[m] = pair.sy[m] = pair.sz[m] = 0.0;
-        contact_of(Columns(set), pair, m, d[0], d[1], d[2], law_of(m));
     }
 }
 
@@ -118,12 +174,11 @@ template <class LawOf>
 void run_chunk(const PairScene& scene, const core::NearPairs& near, int chunk, const PairColumns& pair, LawOf law_of)
 {
     const int begin = scene.pairs.chunk_begin[std::size_t(chunk)], middle = near.plain_end[std::size_t(chunk)];
-    const int end = near.shifted_end[std::size_t(chunk)];
-    const Columns columns(scene.particles);
-    if (run_pairs(columns, pair, begin, middle, law_of, [](int, int) { return 0.0; })) separate(scene, pair, begin, middle, law_of);
+    run_pairs(scene, pair, begin, middle, law_of, [](int, int) { return 0.0; });
     const core::Vec3* shifts = scene.shifts.data();
     const std::uint8_t* image = near.image.data();
-    run_pairs(columns, pair, middle, end, law_of, [=](int m, int axis) { return shifts[image[m]].data()[axis]; });
+    run_pairs(scene, pair, middle, near.shifted_end[std::size_t(chunk)], law_of,
+              [=](int m, int axis) { return shifts[image[m]].data()[axis]; });
 }
 
 ContactLaws laws_of(const std::vector<ContactParameters>& entries, int wanted, double step)
@@ -153,12 +208,9 @@ void pair_forces(const PairScene& scene, core::NearPairs& near, int chunk, std::
     const PairColumns pair{near.first.data(), near.second.data(), near.root_mass.data(), near.spring[0].data(),
                            near.spring[1].data(), near.spring[2].data(), forces.data()};
     if (scene.laws.size() == 1) {
-        const LinearContact law = scene.laws.front();
-        run_chunk(scene, near, chunk, pair, [law](int) { return law; });
+        run_chunk(scene, near, chunk, pair, OneLaw{scene.laws.front()});
     } else {
-        const LinearContact* laws = scene.laws.data();
-        const std::uint16_t* kind = near.kind.data();
-        run_chunk(scene, near, chunk, pair, [=](int m) { return laws[kind[m]]; });
+        run_chunk(scene, near, chunk, pair, LawTable{scene.laws.data(), near.kind.data()});
     }
 }
 

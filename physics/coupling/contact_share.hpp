@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// How much of the load on a grain its contacts carry, and how far it may yield in predictor and projection.
+#include <algorithm>
+
+namespace physics {
+
+/// Share of the applied impulse that contacts took up over a step: 1 for a grain at rest in a bed, 0 for a free one.
+/// @param contact_dot_applied  I_c . I_a, contact impulse times applied impulse (all but contacts) [N2 s2].
+/// @param applied_squared      I_a . I_a [N2 s2]; 0 gives 0.
+[[nodiscard]] inline double contact_share(double contact_dot_applied, double applied_squared)
+{
+    return applied_squared > 0.0 ? std::clamp(-contact_dot_applied / applied_squared, 0.0, 1.0) : 0.0;
+}
+
+/// Yield in the predictor: a held grain takes the full drag. Too stiff only lags, too soft is unstable for stiff drag.
+[[nodiscard]] inline double predictor_yield(double hold) { return 1.0 - hold; }
+
+/// Yield in the projection: too soft only lags, too stiff is unstable; only stiff drag earns the hold.
+/// @param stiffness  b = K dt / m [-].
+[[nodiscard]] inline double projection_yield(double hold, double stiffness)
+{
+    return 1.0 - hold * stiffness / (1.0 + stiffness);
+}
+
+} // namespace physics

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// How grains and fluid answer an impulse together: the algorithm that exchanges momentum, and its coefficients.
+//
+// THE EXCHANGE OF MOMENTUM, one step from state n to n+1 (NUMERICS B0 with a response that is summed grain by grain).
+// B samples a cell field at a grain (interpolation after the filter), its transpose deposits: put(q) = sum over grains of
+// B^T q / cell volume. Both use the positions of one time level inside a formula, so sums at grains and cells are equal.
+// Per grain: mass m, volume V, drag coefficient K [kg/s] frozen over the step, added mass a = C_m rho V, kappa = K dt + a,
+// hold h in 0..1 (contact_share.hpp), owed impulse. Per cell: phi, C = 1 - phi, G = -grad p + div tau - drive [N/m3],
+// Dudt = (u^{n+1} - u^a) / dt of the last step, ledger L [N s/m3].
+//
+//  1. Fluid lane, beside 2:  u^a = u^n advected and diffused, from state n alone.
+//  2. Grain lane (all DEM sub-steps): frozen B u^n, force f = V B G^n + (rho_p - rho) V g + owed / dt + a B Dudt^n and
+//     contacts; exact exponential drag with mass m + a. Record per grain the contact impulse I_c and
+//        J = m (v^{n+1} - v^n) - (f - a B Dudt) dt - I_c        the drag and added-mass impulse it really received.
+//  3. Hold h = contact_share(I_c, m (v^{n+1} - v^n) - I_c), per grain; q = 1 - h in the predictor,
+//     q = 1 - h b / (1 + b) in the projection, b = K dt / m. Move B to the positions n+1. Deposit (filtered):
+//        C, put(V v), put(J), and of response.hpp  predictor: reaction, flux, added, added_flux;
+//        projection: reaction, entrained, displaced.
+//  4. Predictor (predictor.hpp), miss = u^n - u^a - dt Dudt:
+//        du = [L + dt phi G^n - put(J) + rho phi (u^a - u^n) - added miss] / (rho phi + reaction_p)
+//        u* = u^n + du,   solid flux* = put(V v) + flux du + added_flux miss
+//  5. Projection: ru = dt (phi + entrained) / (rho phi + reaction_q),  mobility = (phi + entrained) ru + dt displaced:
+//        div(mobility dG) = - div(phi u* + solid flux*),   dG = - grad(dp);   u^{n+1} = u* + ru dG,  G^{n+1} = G^n + dG.
+//     (Total volume flux phi u + solid flux is free of divergence at n+1; the factor mobility stands on the faces.)
+//  6. True-up per grain (true_up.hpp): what the fluid gave beyond J is owed and delivered evenly over the next interval.
+//  7. Ledger per cell: what the fluid is still owed, added in 4 of the next step: flux-form defect of the advection
+//        L = - rho (phi^{n+1} - phi^n + dt div F) u^a,  F the volume flux of the fluid at n   (advective-form schemes)
+//     and, in `coarse` and `concurrent`, + put(J predicted - J real).
+// `iterated` repeats 2-6 from state n with u, Dudt and G of the last pass in place of those of state n: then r of step 4 has
+// rho phi (u^a - u_used), and miss = u_used - u^a - dt Dudt_used. `coarse` takes J, v, h in 3-5 from a DEM pass of longer
+// sub-steps and phi^n; `concurrent` from free flight held back by h of the last step. The first step of a run: `iterated`.
+//
+// Why it is stable: the predictor must not be softer than the truth (it over-corrects drag), the projection not stiffer (it
+// over-corrects pressure); hence two holds. Grain by grain, because a cell of held and free grains is neither.
+namespace physics {
+
+/// What one grain does to its cell when the fluid there is pushed; deposit each member.
+struct GrainResponse {
+    double reaction = 0.0;   ///< impulse on the grain per change of fluid velocity, while the grain yields [kg]
+    double flux = 0.0;       ///< solid volume flux per change of fluid velocity [m3]
+    double displaced = 0.0;  ///< solid volume flux per impulse density, V^2 q / (m + q kappa) [m6/kg]
+    double added = 0.0;      ///< reaction to untold fluid acceleration through added mass [kg]
+    double added_flux = 0.0; ///< solid volume flux by untold fluid acceleration [m3]
+};
+
+/// Mass, volume and coupling of one grain over one step.
+struct GrainCoupling {
+    double mass = 0.0;       ///< m [kg]
+    double volume = 0.0;     ///< V [m3]
+    double drag = 0.0;       ///< K dt [kg]
+    double added_mass = 0.0; ///< a = C_m rho V [kg]
+};
+
+/// Velocity change of a grain per impulse, with the coupling implicit: q / (m + q (K dt + a)) [1/kg].
+/// @param yield  q = 1 - hold: 1 for a free grain, 0 for one that contacts keep in place.
+[[nodiscard]] inline double compliance(const GrainCoupling& grain, double yield)
+{
+    return yield / (grain.mass + yield * (grain.drag + grain.added_mass));
+}
+
+/// All that a grain contributes to the sums of its cell.
+[[nodiscard]] inline GrainResponse grain_response(const GrainCoupling& grain, double yield)
+{
+    const double kappa = grain.drag + grain.added_mass;
+    const double c = compliance(grain, yield);
+    const double kept = 1.0 - kappa * c;
+    return {kappa * kept, grain.volume * c * kappa, c * grain.volume * grain.volume, grain.added_mass * kept,
+            grain.volume * c * grain.added_mass};
+}
+
+/// Answer of a cell to a change dG of the driving force density: du = velocity dG, total volume flux = mobility dG.
+struct CellResponse {
+    double velocity = 0.0; ///< ru [m3 s/kg]
+    double mobility = 0.0; ///< coefficient of the pressure equation [m3 s/kg]
+};
+
+/// Elimination of the grains of a cell from the coupled response (symmetric: the same factor phi + entrained twice).
+/// @param fluid_mass  rho phi [kg/m3].
+/// @param phi         Fluid fraction [-].
+/// @param sums        put() of the grains' responses with the yield of the projection; sums.flux is `entrained`.
+/// @param dt          Step [s].
+[[nodiscard]] inline CellResponse cell_response(double fluid_mass, double phi, const GrainResponse& sums, double dt)
+{
+    const double velocity = dt * (phi + sums.flux) / (fluid_mass + sums.reaction);
+    return {velocity, (phi + sums.flux) * velocity + dt * sums.displaced};
+}
+
+} // namespace physics

@@ -62,20 +62,18 @@ struct PipeCells {
 /// A straight round pipe along x, its axis through the origin of y and z, from x = 0.
 struct PipeGrid {
     double diameter = 0.0, length = 0.0; ///< [m]
-    PipeSize size = PipeSize::medium;
+    std::optional<PipeSize> size;   ///< Medium, unless `cells` are given.
     std::optional<PipeCells> cells; ///< Instead of a named size.
     int blocks_along = 4;
     double core_fraction = 0.55; ///< Half diagonal of the core over the radius.
     bool operator==(const PipeGrid&) const = default;
 
-    [[nodiscard]] PipeCells chosen_cells() const { return cells ? *cells : cells_of(size); }
+    [[nodiscard]] PipeCells chosen_cells() const { return cells ? *cells : cells_of(size.value_or(PipeSize::medium)); }
 };
 
-/// The walls of a box; periodic sides have none.
+/// The walls of a box, no_slip unless given; periodic ends have none.
 struct BoxWalls {
-    WallKind x_low = WallKind::no_slip, x_high = WallKind::no_slip;
-    WallKind y_low = WallKind::no_slip, y_high = WallKind::no_slip;
-    WallKind z_low = WallKind::no_slip, z_high = WallKind::no_slip;
+    std::optional<WallKind> x_low, x_high, y_low, y_high, z_low, z_high;
     bool operator==(const BoxWalls&) const = default;
 };
 
@@ -214,6 +212,9 @@ struct Scene {
     Output output;
     Solver solver;
     bool operator==(const Scene&) const = default;
+
+    /// Fills in what other keys decide: the size of a pipe, the walls of a box, the coupling of fluid and particles.
+    void resolve();
 };
 
 } // namespace io

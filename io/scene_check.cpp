@@ -52,7 +52,7 @@ namespace {
         void check_pipe(const PipeGrid& pipe)
         {
             const PipeCells cells = pipe.chosen_cells();
-            if (pipe.cells && locations_.given("grid.pipe.size"))
+            if (pipe.cells && pipe.size)
                 complain("grid.pipe.cells", "'cells' excludes 'size'", "keep one of the two");
             if (locations_.good("grid.pipe.cells.across") && cells.across % 4 != 0)
                 complain("grid.pipe.cells.across", fmt::format("{} cells across are not a multiple of 4", cells.across),
@@ -141,12 +141,12 @@ namespace {
             if (species.diameter >= domain.minCoeff())
                 return complain(path + ".diameter", "the particles are larger than the domain",
                                 fmt::format("the domain is {} m wide", number_text(domain.minCoeff())));
-            check_region(species, path);
-            if (all_good({path + ".count", "particles"})) check_fraction(n, path);
+            if (check_region(species, path) && all_good({path + ".count", "particles"})) check_fraction(n, path);
         }
 
-        void check_region(const Species& species, const std::string& path)
+        [[nodiscard]] bool check_region(const Species& species, const std::string& path)
         {
+            const std::size_t before = problems_.size();
             const core::Vec3 low = low_of(species), high = high_of(species);
             const core::Vec3 first = margin(species, scene_.grid.low(), 0.5);
             const core::Vec3 last = margin(species, scene_.grid.high(), -0.5);
@@ -154,8 +154,8 @@ namespace {
                 const auto name = axis_words[std::size_t(axis) + 1];
                 const double slack = 1e-9 * (last[axis] - first[axis]); // round-off of corners given in decimals
                 if (low[axis] > high[axis])
-                    return complain(path + ".initial.low", fmt::format("'low' is above 'high' along {}", name),
-                                    "exchange the two");
+                    complain(path + ".initial.low", fmt::format("'low' is above 'high' along {}", name),
+                             "exchange the two");
                 const std::string room = fmt::format("along {} centres must lie from {} m to {} m", name,
                                                      number_text(first[axis]), number_text(last[axis]));
                 if (low[axis] < first[axis] - slack)
@@ -163,6 +163,7 @@ namespace {
                 if (high[axis] > last[axis] + slack)
                     complain(path + ".initial.high", "particles would be outside the domain", room);
             }
+            return problems_.size() == before;
         }
 
         /// Volume of a region within reach of its particles, at most the domain's.

@@ -14,7 +14,7 @@ static void describe(Schema& s, PipeGrid& p)
 {
     s.required("diameter", p.diameter, "m", "Inner diameter", positive);
     s.required("length", p.length, "m", "Length along the axis, which is x", positive);
-    s.value("size", "Number of cells: small 2,160, medium 6,144, large 20,736", choice_of(p.size, pipe_size_words));
+    s.value("size", "Number of cells: small 2,160, medium 6,144 (the default), large 20,736", choice_of(p.size, pipe_size_words));
     s.group("cells", p.cells, "Cells of your own, instead of a named size");
     s.value("blocks_along", p.blocks_along, "", "Blocks along the axis, five in each section", at_least(1));
     s.value("core_fraction", p.core_fraction, "1", "Half diagonal of the core over the radius", between(0.2, 0.8));
@@ -22,12 +22,12 @@ static void describe(Schema& s, PipeGrid& p)
 
 static void describe(Schema& s, BoxWalls& p)
 {
-    s.value("x_low", "Wall at the low end of x", choice_of(p.x_low, wall_kind_words));
-    s.value("x_high", "Wall at the high end of x", choice_of(p.x_high, wall_kind_words));
-    s.value("y_low", "Wall at the low end of y", choice_of(p.y_low, wall_kind_words));
-    s.value("y_high", "Wall at the high end of y", choice_of(p.y_high, wall_kind_words));
-    s.value("z_low", "Wall at the low end of z", choice_of(p.z_low, wall_kind_words));
-    s.value("z_high", "Wall at the high end of z", choice_of(p.z_high, wall_kind_words));
+    s.value("x_low", "Wall at the low end of x; no_slip by default", choice_of(p.x_low, wall_kind_words));
+    s.value("x_high", "Wall at the high end of x; no_slip by default", choice_of(p.x_high, wall_kind_words));
+    s.value("y_low", "Wall at the low end of y; no_slip by default", choice_of(p.y_low, wall_kind_words));
+    s.value("y_high", "Wall at the high end of y; no_slip by default", choice_of(p.y_high, wall_kind_words));
+    s.value("z_low", "Wall at the low end of z; no_slip by default", choice_of(p.z_low, wall_kind_words));
+    s.value("z_high", "Wall at the high end of z; no_slip by default", choice_of(p.z_high, wall_kind_words));
 }
 
 static void describe(Schema& s, BoxGrid& p)

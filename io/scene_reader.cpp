@@ -49,7 +49,7 @@ SceneReading read_scene_text(const std::string& name, const std::string& text, c
     describe(reader, result.scene);
     reader.finish();
     check_scene(result.scene, locations, problems);
-    if (result.scene.fluid && !result.scene.particles.empty() && !result.scene.coupling) result.scene.coupling.emplace();
+    result.scene.resolve();
     return result;
 }
 

@@ -31,6 +31,8 @@ struct Command {
 };
 
 [[nodiscard]] Command check_command();
+[[nodiscard]] Command schema_command();
+[[nodiscard]] Command explain_command();
 
 /// All commands, in the order of the help text.
 [[nodiscard]] std::vector<Command> all_commands();

@@ -8,6 +8,8 @@ std::vector<Command> all_commands()
 {
     return {
         check_command(),
+        schema_command(),
+        explain_command(),
     };
 }
 

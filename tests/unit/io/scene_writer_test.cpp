@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#include "io/scene_writer.hpp"
+#include "tests/unit/io/scene_text.hpp"
+#include <algorithm>
+#include <doctest/doctest.h>
+#include <filesystem>
+
+namespace {
+
+std::vector<std::filesystem::path> shipped_scenes()
+{
+    const auto root = std::filesystem::path(__FILE__).parent_path().parent_path().parent_path().parent_path();
+    std::vector<std::filesystem::path> scenes;
+    for (const auto& entry : std::filesystem::directory_iterator(root / "configs"))
+        if (std::filesystem::exists(entry.path() / "scene.yaml")) scenes.push_back(entry.path());
+    std::sort(scenes.begin(), scenes.end());
+    return scenes;
+}
+
+} // namespace
+
+TEST_CASE("every scene in configs/ has no mistakes, and its resolved text reads back as the same scene")
+{
+    CHECK(shipped_scenes().size() >= 3);
+    for (const auto& folder : shipped_scenes()) {
+        CAPTURE(folder.string());
+        const io::Scene scene = io::read_scene(folder);
+        const auto [again, problems] = io::read_scene_text("resolved", io::scene_text(scene));
+        CHECK(problems->text() == "");
+        CHECK(again == scene);
+    }
+}
+
+TEST_CASE("every value survives the resolved text")
+{
+    io::Scene scene = io::read_scene_text("scene.yaml", test_scene::good).scene;
+    scene.name = "quotes \" \\ and: colons # ünïcode";
+    scene.grid.pipe.reset();
+    scene.grid.box = io::BoxGrid{{0.1, 1.0 / 3.0, 0.2}, {4, 6, 8}, {1, 2, 4}, {}};
+    scene.grid.box->walls.y_high = io::WallKind::slip;
+    scene.grid.periodic = {io::Axis::x, io::Axis::z};
+    scene.fluid->material.name = "null";
+    scene.fluid->drive = io::Drive{-3.0, io::Axis::z, 2.5, {}};
+    scene.gravity = io::Gravity{core::Vec3(1, 2, -2) / 3.0, 1.62};
+    scene.particles.push_back({"-5", 3, 1e-3, 2500.0, {}});
+    scene.particles[1].initial = {io::Arrangement::lattice, core::Vec3(0.02, 0.02, 0.02), core::Vec3(0.03, 0.04, 0.05),
+                                  core::Vec3(0.0, -0.1, 1e-300)};
+    scene.contact = io::Contact{io::ContactLaw::linear, 1e4 / 3.0, 0.9, 0.1, 0.5, 50, io::WallShape::primitive};
+    scene.coupling = io::Coupling{io::CouplingMode::iterated, {0.003, false}, io::CouplingPreset::seed, io::DragLaw::smooth,
+                                  io::Switch::on, io::Switch::off, io::Switch::on};
+    scene.run = {0.5, 2.0, 1e-3, {0.7}, 42, 3600.0};
+    scene.output = {{io::Interval::Clock::steps, 10.0}, {}, {io::Interval::Clock::wall, 60.0}, {}, 5};
+    scene.solver.tolerance = 1e-11;
+    scene.resolve();
+    const auto [again, problems] = io::read_scene_text("resolved", io::scene_text(scene));
+    CHECK(problems->text() == "");
+    CHECK(again == scene);
+}
+
+TEST_CASE("a key is explained by its path or its end, and a misspelled one is suggested")
+{
+    const std::string stiffness = io::explain("contact.stiffness");
+    CHECK(stiffness == io::explain("stiffness"));
+    CHECK(stiffness.find("a quantity in N/m (> 0)") != std::string::npos);
+    CHECK(stiffness.find("required") != std::string::npos);
+    CHECK(io::explain("restitution").find("default 0.6") != std::string::npos);
+    CHECK(io::explain("particles.count") == io::explain("particles.*.count"));
+    CHECK(io::explain("grid.pipe").find("grid.pipe.cells.across") != std::string::npos);
+    CHECK_THROWS_WITH(static_cast<void>(io::explain("stifness")), "there is no key 'stifness'; did you mean 'stiffness'?");
+}
+
+TEST_CASE("every key says what it means")
+{
+    const auto keys = io::all_keys();
+    CHECK(keys.size() > 70);
+    for (const auto& key : keys) {
+        CAPTURE(key.path);
+        CHECK(key.meaning.size() > 4);
+        CHECK(io::explain(key.path).starts_with(key.path + "\n"));
+    }
+}

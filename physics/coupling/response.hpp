@@ -65,7 +65,7 @@ struct GrainCoupling {
 {
     const double kappa = grain.drag + grain.added_mass;
     const double c = compliance(grain, yield);
-    const double kept = 1.0 - kappa * c;
+    const double kept = grain.mass / (grain.mass + yield * kappa);
     return {kappa * kept, grain.volume * c * kappa, c * grain.volume * grain.volume, grain.added_mass * kept,
             grain.volume * c * grain.added_mass};
 }

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#include "physics/coupling/mode.hpp"
+
+#include "core/base/error.hpp"
+
+namespace physics {
+
+namespace {
+
+// Measured in the one-cell model (tests/verification/coupling): grains that stick and slip make `concurrent` grow from
+// b = 10 on; grains clamped and released at random make `pipelined` and `coarse` grow from b = 100 on. A factor 2-5 is kept.
+constexpr double stiff_for_concurrent = 2.0;
+constexpr double stiff_for_pipelined = 50.0;
+constexpr double quiet_amplification = 0.3;
+constexpr double dilute = 0.1;
+
+bool concurrent_holds(const StabilityNumbers& n)
+{
+    return n.stiffness <= stiff_for_concurrent && (n.amplification < quiet_amplification || n.solid_fraction < dilute);
+}
+
+bool holds(Mode mode, const StabilityNumbers& n)
+{
+    if (mode == Mode::concurrent) return concurrent_holds(n);
+    return mode == Mode::iterated || n.stiffness <= stiff_for_pipelined;
+}
+
+} // namespace
+
+double added_mass_amplification(double phi, double density_ratio, double added_mass_coefficient)
+{
+    const double added = added_mass_coefficient;
+    return (1.0 - phi) * (1.0 / phi + added / (phi * phi) + added / phi) / (density_ratio + added);
+}
+
+double coupling_number(const StabilityNumbers& numbers)
+{
+    return numbers.stiffness * numbers.loading / (1.0 + numbers.loading);
+}
+
+const char* name(Mode mode)
+{
+    switch (mode) {
+    case Mode::pipelined: return "pipelined";
+    case Mode::coarse: return "coarse";
+    case Mode::concurrent: return "concurrent";
+    case Mode::iterated: return "iterated";
+    }
+    return "unknown";
+}
+
+ModeChoice choose_mode(const StabilityNumbers& n)
+{
+    const std::string numbers = core::text("b = ", n.stiffness, ", M = ", n.loading, ", A = ", n.amplification,
+                                           ", C = ", n.solid_fraction, ", b M/(1+M) = ", coupling_number(n));
+    if (!holds(Mode::pipelined, n)) {
+        return {Mode::iterated, core::text("iterated: drag is too stiff for one pass (b > ", stiff_for_pipelined, "); ", numbers)};
+    }
+    if (concurrent_holds(n)) {
+        return {Mode::concurrent, core::text("concurrent: soft drag, and gas or dilute, nothing needs to wait; ", numbers)};
+    }
+    return {Mode::pipelined, core::text("pipelined: grains in contact or pressure lag (A) need the grains' real state; ", numbers)};
+}
+
+void require_stable(Mode mode, const StabilityNumbers& n)
+{
+    core::require<core::ConfigError>(holds(mode, n), core::text("coupling mode '", name(mode), "' is unstable here; use '",
+                                                                name(choose_mode(n).mode), "' or a smaller step (",
+                                                                choose_mode(n).reason, ")"));
+}
+
+} // namespace physics

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// Which coupling mode a scene can stand: stability numbers and the choice of `auto`, with its reason.
+#include <string>
+
+namespace physics {
+
+/// What the fluid lane knows of the grains when it couples (see response.hpp).
+enum class Mode {
+    pipelined,  ///< the grains' real impulse and position: drag and projection wait for them
+    coarse,     ///< those of a pass with longer sub-steps: nothing waits
+    concurrent, ///< those of free flight held back by the last step's contacts: nothing waits
+    iterated    ///< as pipelined, the interval repeated with what was found
+};
+
+/// Extremes of a scene that decide stability.
+struct StabilityNumbers {
+    double stiffness = 0.0;     ///< b = K dt / m, the largest [-]
+    double loading = 0.0;       ///< M = solid mass over fluid mass of a cell, the largest [-]
+    double amplification = 0.0; ///< A of naive lagging, added_mass_amplification() [-]
+    double solid_fraction = 0.0; ///< C, the largest [-]
+};
+
+struct ModeChoice {
+    Mode mode = Mode::pipelined;
+    std::string reason;
+};
+
+/// Growth per step of a compression mode if the grains used pressure gradient and Du/Dt of the last step (NUMERICS B5).
+/// @param density_ratio  s = rho_p / rho.   @param added_mass_coefficient  C_m.
+[[nodiscard]] double added_mass_amplification(double phi, double density_ratio, double added_mass_coefficient);
+
+/// b M / (1 + M): how often the mixture could exchange its slip within a step.
+[[nodiscard]] double coupling_number(const StabilityNumbers& numbers);
+
+[[nodiscard]] const char* name(Mode mode);
+
+/// The mode with the most overlap that holds for these numbers, and why.
+[[nodiscard]] ModeChoice choose_mode(const StabilityNumbers& numbers);
+
+/// @throws core::ConfigError if the user asked for a mode that these numbers make unstable; names the mode that holds.
+void require_stable(Mode mode, const StabilityNumbers& numbers);
+
+} // namespace physics

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "physics/fluid/multigrid.hpp"
 
+#include "core/base/error.hpp"
 #include "physics/fluid/multigrid_coarsen.hpp"
 #include "physics/fluid/multigrid_transfer.hpp"
 #include <algorithm>
@@ -24,42 +25,78 @@ void match_blocks(MultigridLevel& fine, MultigridLevel& coarse)
 
 } // namespace
 
-Multigrid::Multigrid(const BlockTopology& topology, const MultigridOptions& options)
+Multigrid::Multigrid(const BlockTopology& topology, const MultigridOptions& options, const core::Communicator& communicator)
     : options_(options), weights_(chebyshev_weights(2.0, options.spectrum_ratio))
 {
     BlockTopology level = topology;
     level.links = canonical_links(topology.links, link_source_);
     levels_.push_back(make_multigrid_level(level, options.shifted));
-    while (cell_count(level) > options.coarsest_cells) {
+    bool split = communicator.size() > 1;
+    for (bool last = false; !last;) { // at least two levels: the finest stays with its owners, the coarsest is everywhere
         std::vector<CoarseLink> coarse_link;
         BlockTopology next = coarsened(level, coarse_link);
-        if (cell_count(next) == cell_count(level)) break;
+        const auto cells = cell_count(next);
+        last = cells <= options.coarsest_cells || cells == cell_count(coarsened(next));
+        const bool gathers = split && (last || cells <= options.replicated_cells);
+        if (gathers) next = replicated(next, communicator, coarse_link);
         levels_.back().mesh.coarse_link = std::move(coarse_link);
         levels_.push_back(make_multigrid_level(next, options.shifted));
         make_transfer(levels_.back());
+        if (gathers) levels_.back().owner = topology.owner;
         match_blocks(levels_[levels_.size() - 2], levels_.back());
+        split = split && !gathers;
         level = std::move(next);
     }
     coarsest_ = std::make_unique<CoarsestSolver>(levels_.back().mesh);
-    list_steps();
+    list_set_up();
+    list_cycle();
 }
 
 Multigrid::~Multigrid() = default;
 Multigrid::Multigrid(Multigrid&&) noexcept = default;
 
-void Multigrid::list_steps()
+void Multigrid::add_if_shared(std::vector<MultigridStep>& steps, MultigridStep::Kind kind, int level) const
+{
+    if (!levels_[std::size_t(level)].mesh.exchanges.empty()) steps.push_back({kind, level});
+}
+
+void Multigrid::list_set_up()
 {
     using K = MultigridStep::Kind;
     const int last = int(levels_.size()) - 1;
-    for (int l = 0; l < last; ++l)
-        set_up_.insert(set_up_.end(), {{K::prepare_level, l}, {K::end_resistances, l}, {K::coarsen, l}});
+    for (int l = 0; l < last; ++l) {
+        set_up_.insert(set_up_.end(), {{K::prepare_level, l}, {K::end_resistances, l}});
+        add_if_shared(set_up_, K::send_resistances, l);
+        set_up_.push_back({K::coarsen, l});
+        if (!levels_[std::size_t(l) + 1].owner.empty()) set_up_.push_back({K::send_coefficients, l + 1});
+        set_up_.push_back({K::finish_links, l + 1});
+    }
     set_up_.push_back({K::factorise, last});
-    for (int l = 0; l < last; ++l)
-        cycle_.insert(cycle_.end(), {{K::smooth_from_zero, l}, {K::smooth_second, l}, {K::residual, l},
-                                     {K::gather_children, l}, {K::share_parts, l}});
+}
+
+void Multigrid::list_cycle()
+{
+    using K = MultigridStep::Kind;
+    const int last = int(levels_.size()) - 1;
+    for (int l = 0; l < last; ++l) {
+        cycle_.push_back({K::smooth_from_zero, l});
+        add_if_shared(cycle_, K::send_other, l);
+        cycle_.push_back({K::smooth_second, l});
+        add_if_shared(cycle_, K::send_solution, l);
+        cycle_.insert(cycle_.end(), {{K::residual, l}, {K::gather_children, l}, {K::share_inside, l}});
+        add_if_shared(cycle_, K::send_parts, l + 1);
+        if (!levels_[std::size_t(l) + 1].owner.empty()) cycle_.push_back({K::send_right, l + 1});
+        cycle_.push_back({K::share_over_links, l + 1});
+    }
     cycle_.push_back({K::coarsest, last});
-    for (int l = last - 1; l >= 0; --l)
-        cycle_.insert(cycle_.end(), {{K::prolong_up, l}, {K::smooth_first, l}, {K::smooth_second, l}});
+    for (int l = last - 1; l >= 0; --l) {
+        add_if_shared(cycle_, K::send_solution, l + 1);
+        cycle_.push_back({K::prolong_up, l});
+        add_if_shared(cycle_, K::send_solution, l);
+        cycle_.push_back({K::smooth_first, l});
+        add_if_shared(cycle_, K::send_other, l);
+        cycle_.push_back({K::smooth_second, l});
+    }
 }
 
 void Multigrid::load(const core::Team& team, const SevenPoint<double>& fine, double scale)
@@ -113,16 +150,44 @@ void Multigrid::run(const core::Team& team, const MultigridStep& step)
     case K::prepare_level: return prepare_smoother(team, options_.smoother, level);
     case K::end_resistances: return link_end_resistances(team, level);
     case K::coarsen: coarsen_coefficients(team, level, coarse()); return coarsen_links(level, coarse());
+    case K::finish_links: return finish_links(level);
     case K::factorise: return coarsest_->factorise(level, options_.singular);
     case K::smooth_from_zero: return smooth_from_zero(team, weights_, level);
     case K::smooth_first: return smooth_first(team, weights_, level);
     case K::smooth_second: return smooth_second(team, weights_, level);
     case K::residual: return compute_residual(team, level);
     case K::gather_children: return gather_children(team, level, coarse());
-    case K::share_parts: return share_parts(team, coarse());
+    case K::share_inside: return share_inside(team, coarse());
+    case K::share_over_links: return share_over_links(team, level);
     case K::coarsest: return coarsest_->solve(level);
     case K::prolong_up: return prolong_correction(team, coarse(), level);
+    default: throw core::Error("multigrid: a step that sends was run instead of started");
     }
+}
+
+void Multigrid::start(const MultigridStep& step, const core::Communicator& communicator, core::Pending& pending)
+{
+    using K = MultigridStep::Kind;
+    auto& level = levels_[std::size_t(step.level)];
+    switch (step.kind) {
+    case K::send_resistances: return messages_.start_resistances(level, communicator, pending);
+    case K::send_coefficients: return messages_.start_blocks(level, LevelMessages::Content::coefficients, communicator, pending);
+    case K::send_solution: return messages_.start_ghosts(level.mesh, std::span(level.solution), communicator, pending);
+    case K::send_other: return messages_.start_ghosts(level.mesh, std::span(level.other), communicator, pending);
+    case K::send_parts: return messages_.start_parts(level, communicator, pending);
+    case K::send_right: return messages_.start_blocks(level, LevelMessages::Content::right, communicator, pending);
+    default: throw core::Error("multigrid: a step that sends nothing was started");
+    }
+}
+
+void Multigrid::complete(const MultigridStep& step, const core::Communicator& communicator)
+{
+    using K = MultigridStep::Kind;
+    auto& level = levels_[std::size_t(step.level)];
+    if (step.kind == K::send_resistances) messages_.complete_resistances(level);
+    if (step.kind == K::send_parts) messages_.complete_parts(level);
+    if (step.kind == K::send_coefficients) messages_.complete_blocks(level, LevelMessages::Content::coefficients, communicator);
+    if (step.kind == K::send_right) messages_.complete_blocks(level, LevelMessages::Content::right, communicator);
 }
 
 std::size_t Multigrid::bytes() const

@@ -6,7 +6,7 @@
 // wait for messages between two steps in the way that suits it.
 #include "core/base/team.hpp"
 #include "physics/fluid/coarsest_solver.hpp"
-#include "physics/fluid/multigrid_level.hpp"
+#include "physics/fluid/multigrid_messages.hpp"
 #include "physics/fluid/multigrid_smoother.hpp"
 #include <span>
 #include <vector>
@@ -15,26 +15,35 @@ namespace physics {
 
 struct MultigridOptions {
     int coarsest_cells = 400;      ///< solved directly below this number
+    int replicated_cells = 16384;  ///< levels of at most this size are computed by every rank: less than a message costs
     Smoother smoother = Smoother::automatic;
     double spectrum_ratio = 8.0;   ///< the smoother damps the eigenvalues from 2 / ratio to 2
     bool shifted = false;          ///< the operator has a shift
     bool singular = true;          ///< no shift and no wall that holds the unknown
 };
 
-/// Part of the set-up or of a cycle.
+/// Part of the set-up or of a cycle. A step that sends is started, and completed when its messages have arrived.
 struct MultigridStep {
     enum class Kind {
-        prepare_level, end_resistances, coarsen, factorise,                          // set-up
-        smooth_from_zero, smooth_first, smooth_second, residual, gather_children, share_parts, // cycle, down
-        coarsest, prolong_up
+        prepare_level, end_resistances, coarsen, finish_links, factorise,                     // set-up
+        send_resistances, send_coefficients,                                                  // set-up, messages
+        smooth_from_zero, smooth_second, residual, gather_children, share_inside, share_over_links, // cycle, down
+        coarsest, prolong_up, smooth_first,                                                   // cycle, up
+        send_solution, send_other, send_parts, send_right                                     // cycle, messages
     };
     Kind kind;
     int level;
+    [[nodiscard]] bool sends() const
+    {
+        return kind == Kind::send_resistances || kind == Kind::send_coefficients || kind >= Kind::send_solution;
+    }
 };
 
 class Multigrid {
 public:
-    Multigrid(const BlockTopology& topology, const MultigridOptions& options);
+    /// Collective over `communicator`.
+    Multigrid(const BlockTopology& topology, const MultigridOptions& options,
+              const core::Communicator& communicator = core::Communicator::self());
     ~Multigrid();
     Multigrid(Multigrid&&) noexcept;
 
@@ -56,18 +65,25 @@ public:
     /// correction = solution of the cycle, scaled back.
     void store_solution(const core::Team& team, std::span<double> correction) const;
 
+    /// A step that does not send.
     void run(const core::Team& team, const MultigridStep& step);
+    /// A step that sends; complete() it when `pending` is done.
+    void start(const MultigridStep& step, const core::Communicator& communicator, core::Pending& pending);
+    void complete(const MultigridStep& step, const core::Communicator& communicator);
 
     [[nodiscard]] std::size_t bytes() const;
 
 private:
-    void list_steps();
+    void list_set_up();
+    void list_cycle();
+    void add_if_shared(std::vector<MultigridStep>& steps, MultigridStep::Kind kind, int level) const;
 
     MultigridOptions options_;
     ChebyshevWeights weights_;
     std::vector<int> link_source_;
     std::vector<MultigridLevel> levels_;
     std::unique_ptr<CoarsestSolver> coarsest_;
+    LevelMessages messages_;
     std::vector<MultigridStep> set_up_, cycle_;
     double coefficient_scale_ = 1.0, right_scale_ = 1.0;
 };

@@ -152,6 +152,10 @@ void coarsen_links(const MultigridLevel& fine, MultigridLevel& coarse)
         if (const int h = ends[turned ? 1 : 0]; h >= 0) coarse.half_weight[std::size_t(h)] += c.below;
         if (const int h = ends[turned ? 0 : 1]; h >= 0) coarse.half_weight[std::size_t(h)] += c.above;
     }
+}
+
+void finish_links(MultigridLevel& coarse)
+{
     spread_links(coarse);
     for (const auto& run : coarse.mesh.runs) {
         float sum = 0.0F;

@@ -23,6 +23,7 @@ void make_transfer(MultigridLevel& level)
     }
     level.half_weight.assign(level.mesh.halves.size(), 0.0F);
     level.half_part.assign(level.mesh.halves.size(), 0.0F);
+    level.half_received.assign(level.mesh.halves.size(), 0.0F);
 }
 
 } // namespace physics

@@ -33,6 +33,8 @@ struct MultigridLevel {
     std::vector<float> half_weight;               ///< the same for what lies beyond a half link
     std::array<std::vector<float>, 6> side_part;  ///< residual that goes to the neighbour beyond each side
     std::vector<float> half_part;                 ///< residual that goes beyond a half link
+    std::vector<float> half_received;             ///< the same from partners on other ranks
+    std::vector<int> owner;        ///< rank of each block, only on the first level that every rank holds as a whole
     std::vector<int> fine_block;   ///< block of the next finer level, -1 where that is not on this rank
     std::vector<int> coarse_block; ///< block of the next coarser level
 
@@ -44,7 +46,7 @@ struct MultigridLevel {
                         + of(mesh.half_of) + of(mesh.runs) + of(mesh.coarse_link);
         for (const auto& f : matrix.face) sum += of(f);
         for (std::size_t n = 0; n < 6; ++n) sum += of(weight[n]) + of(side_part[n]);
-        sum += of(half_weight) + of(half_part);
+        sum += of(half_weight) + of(half_part) + of(half_received);
         return sum;
     }
 };

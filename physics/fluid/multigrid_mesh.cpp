@@ -163,10 +163,16 @@ LevelMesh make_level_mesh(const BlockTopology& topology)
     return mesh;
 }
 
-BlockTopology coarsened(const BlockTopology& fine, std::vector<CoarseLink>& coarse_link)
+BlockTopology coarsened(const BlockTopology& fine)
 {
     BlockTopology coarse{{}, fine.owner, fine.rank, {}};
     for (const auto& c : fine.cells) coarse.cells.push_back(coarsened(c));
+    return coarse;
+}
+
+BlockTopology coarsened(const BlockTopology& fine, std::vector<CoarseLink>& coarse_link)
+{
+    BlockTopology coarse = coarsened(fine);
     const auto parent = [&](LinkEnd end) {
         if (end.block == wall_block) return end;
         const auto place = cell_place(fine.cells[std::size_t(end.block)], end.cell);

@@ -67,4 +67,7 @@ struct LevelMesh {
 
 [[nodiscard]] inline core::Extents coarsened(core::Extents c) { return {(c.ni + 1) / 2, (c.nj + 1) / 2, (c.nk + 1) / 2}; }
 
+/// The same sizes, without links.
+[[nodiscard]] BlockTopology coarsened(const BlockTopology& fine);
+
 } // namespace physics

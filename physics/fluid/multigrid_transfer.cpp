@@ -156,13 +156,13 @@ void gather_children(const core::Team& team, const MultigridLevel& fine, Multigr
     });
 }
 
-void share_parts(const core::Team& team, MultigridLevel& coarse)
+void share_inside(const core::Team& team, MultigridLevel& coarse)
 {
-    const auto& mesh = coarse.mesh;
-    mesh.layout.for_pieces(team, [&](int n) {
-        const auto& piece = mesh.layout.pieces()[std::size_t(n)];
+    const auto& layout = coarse.mesh.layout;
+    layout.for_pieces(team, [&](int n) {
+        const auto& piece = layout.pieces()[std::size_t(n)];
         if (coarse.fine_block[std::size_t(piece.block)] < 0) return;
-        const auto cells = mesh.layout.cells(piece.block);
+        const auto cells = layout.cells(piece.block);
         const std::array<std::ptrdiff_t, 3> stride{1, cells.ni, std::ptrdiff_t(cells.ni) * cells.nj};
         float* b = coarse.right.data();
         for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -171,10 +171,17 @@ void share_parts(const core::Team& team, MultigridLevel& coarse)
 #pragma omp simd
             for (auto c = piece.begin; c < piece.end; ++c) b[c] += (high[c - s] - low[c]) + (low[c + s] - high[c]);
         }
+    });
+}
+
+void share_over_links(const core::Team& team, MultigridLevel& coarse)
+{
+    const auto& mesh = coarse.mesh;
+    mesh.layout.for_pieces(team, [&](int n) {
         for (int h = mesh.piece_halves[std::size_t(n)]; h < mesh.piece_halves[std::size_t(n) + 1]; ++h) {
             const auto& half = mesh.halves[std::size_t(h)];
-            const float taken = half.partner >= 0 ? coarse.half_part[std::size_t(half.partner)] : 0.0F;
-            b[half.cell] += taken - coarse.half_part[std::size_t(h)];
+            const float taken = half.partner >= 0 ? coarse.half_part[std::size_t(half.partner)] : coarse.half_received[std::size_t(h)];
+            coarse.right[std::size_t(half.cell)] += taken - coarse.half_part[std::size_t(h)];
         }
     });
 }

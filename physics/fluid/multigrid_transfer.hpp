@@ -13,8 +13,11 @@ void compute_residual(const core::Team& team, MultigridLevel& level);
 /// First part of the restriction: coarse.right = sums of fine.residual over the children; the parts that go to the
 /// neighbours of the parent, in coarse.side_part and coarse.half_part.
 void gather_children(const core::Team& team, const MultigridLevel& fine, MultigridLevel& coarse);
-/// Second part: coarse.right of every cell gives its parts and takes those of its neighbours.
-void share_parts(const core::Team& team, MultigridLevel& coarse);
+/// Second part: coarse.right of every cell gives its parts and takes those of its neighbours in the block.
+void share_inside(const core::Team& team, MultigridLevel& coarse);
+/// Third part: the same over links.
+/// @pre half_received holds what partners on other ranks give.
+void share_over_links(const core::Team& team, MultigridLevel& coarse);
 
 /// fine.solution += interpolated coarse.solution. A child takes its parent's value and, towards each of the three nearest
 /// neighbours of the parent, the share of the difference that lies between parent and child: a quarter in a uniform

@@ -7,8 +7,9 @@
 
 namespace physics {
 
-SevenPointSolver::SevenPointSolver(const BlockTopology& topology, const MultigridOptions& options)
-    : multigrid_(topology, options), matrix_(make_seven_point<double>(multigrid_.mesh(), options.shifted)),
+SevenPointSolver::SevenPointSolver(const BlockTopology& topology, const MultigridOptions& options,
+                                   const core::Communicator& communicator)
+    : multigrid_(topology, options, communicator), matrix_(make_seven_point<double>(multigrid_.mesh(), options.shifted)),
       workspace_(multigrid_.mesh().layout, int(topology.cells.size()), cell_count(topology))
 {
 }
@@ -22,7 +23,7 @@ void SevenPointSolver::copy(const core::Team& team, const Coefficients& coeffici
 void SevenPointSolver::set_up(const core::Team& team, const Coefficients& coefficients)
 {
     copy(team, coefficients);
-    multigrid_.load(team, matrix_, power_of_two_scale(largest_coefficient(mesh(), matrix_)));
+    load(team, largest_coefficient(mesh(), matrix_));
     run_steps(team, multigrid_, multigrid_.set_up_steps());
 }
 
@@ -41,15 +42,20 @@ void SevenPointSolver::precondition(const core::Team& team, std::span<const doub
 KrylovReport SevenPointSolver::solve(const core::Team& team, const KrylovOptions& options, std::span<double> right,
                                      std::span<double> x)
 {
-    double largest = 0.0;
-    for (const auto& p : layout().pieces())
-        for (auto c = std::size_t(p.begin); c < std::size_t(p.end); ++c) largest = std::max(largest, std::abs(right[c]));
-    right_scale_ = power_of_two_scale(largest);
+    expect_right(largest_magnitude(layout(), right));
     KrylovReport report;
     drive(
         flexible_cg(team, workspace_, options, right, x, report),
         [&](auto in, auto out) { apply(team, in, out); }, [&](auto in, auto out) { precondition(team, in, out); });
     return report;
+}
+
+double largest_magnitude(const BlockLayout& layout, std::span<const double> values)
+{
+    double largest = 0.0;
+    for (const auto& p : layout.pieces())
+        for (auto c = std::size_t(p.begin); c < std::size_t(p.end); ++c) largest = std::max(largest, std::abs(values[c]));
+    return largest;
 }
 
 } // namespace physics

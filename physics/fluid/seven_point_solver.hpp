@@ -9,16 +9,26 @@ namespace physics {
 
 class SevenPointSolver {
 public:
-    SevenPointSolver(const BlockTopology& topology, const MultigridOptions& options);
+    /// Collective over `communicator`.
+    SevenPointSolver(const BlockTopology& topology, const MultigridOptions& options,
+                     const core::Communicator& communicator = core::Communicator::self());
 
     [[nodiscard]] const LevelMesh& mesh() const { return multigrid_.mesh(); }
     [[nodiscard]] const BlockLayout& layout() const { return multigrid_.mesh().layout; }
     [[nodiscard]] const SevenPoint<double>& matrix() const { return matrix_; }
     [[nodiscard]] Multigrid& multigrid() { return multigrid_; }
     [[nodiscard]] KrylovWorkspace& workspace() { return workspace_; }
+    [[nodiscard]] LevelMessages& messages() { return messages_; }
 
-    /// Copies the coefficients; the multigrid must be loaded and set up next.
+    /// Copies the coefficients; load() and the set-up of the multigrid come next.
     void copy(const core::Team& team, const Coefficients& coefficients);
+    /// Hands the coefficients to the multigrid.
+    /// @param largest  Coefficient of all ranks.
+    void load(const core::Team& team, double largest) { multigrid_.load(team, matrix_, power_of_two_scale(largest)); }
+    /// Sizes of right-hand sides, so that they keep their digits in 32 bits.
+    /// @param largest  Magnitude of all ranks.
+    void expect_right(double largest) { right_scale_ = power_of_two_scale(largest); }
+    [[nodiscard]] double right_scale() const { return right_scale_; }
     /// Copies the coefficients and sets up the multigrid, on one rank.
     void set_up(const core::Team& team, const Coefficients& coefficients);
     /// out = A in; ghosts of `in` must be up to date.
@@ -33,7 +43,11 @@ private:
     Multigrid multigrid_;
     SevenPoint<double> matrix_;
     KrylovWorkspace workspace_;
+    LevelMessages messages_;
     double right_scale_ = 1.0;
 };
+
+/// Largest magnitude in the cells of this rank.
+[[nodiscard]] double largest_magnitude(const BlockLayout& layout, std::span<const double> values);
 
 } // namespace physics

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// What levels send between ranks: ghosts, values at the ends of links, and the blocks of the first level that every rank
+// holds as a whole.
+#include "core/comm/communicator.hpp"
+#include "physics/fluid/multigrid_level.hpp"
+#include <span>
+#include <vector>
+
+namespace physics {
+
+/// Blocks of all ranks and all their links, as if this rank owned them. Collective.
+/// @param coarse_link  Into mine.links in, into the links of the result out.
+[[nodiscard]] BlockTopology replicated(const BlockTopology& mine, const core::Communicator& communicator,
+                                       std::vector<CoarseLink>& coarse_link);
+
+/// Buffers for one set of messages at a time; they grow once and stay.
+class LevelMessages {
+public:
+    /// Sends boundary values and receives ghosts in place.
+    template <class Real>
+    void start_ghosts(const LevelMesh& mesh, std::span<Real> values, const core::Communicator& communicator, core::Pending& pending)
+    {
+        prepare(mesh.exchanges.size());
+        for (std::size_t n = 0; n < mesh.exchanges.size(); ++n) {
+            const auto& e = mesh.exchanges[n];
+            communicator.receive(std::as_writable_bytes(values.subspan(std::size_t(e.receive), std::size_t(e.ghosts))), e.rank, tag, pending);
+            auto& buffer = send_[n];
+            buffer.resize(e.send.size() * sizeof(Real));
+            auto* out = reinterpret_cast<Real*>(buffer.data());
+            for (std::size_t c = 0; c < e.send.size(); ++c) out[c] = values[std::size_t(e.send[c])];
+            communicator.send(buffer, e.rank, tag, pending);
+        }
+    }
+
+    /// Resistances at the ends of links between ranks.
+    void start_resistances(const MultigridLevel& level, const core::Communicator& communicator, core::Pending& pending);
+    void complete_resistances(MultigridLevel& level) const;
+    /// Residuals that cross links between ranks.
+    void start_parts(const MultigridLevel& level, const core::Communicator& communicator, core::Pending& pending);
+    void complete_parts(MultigridLevel& level) const;
+
+    /// What start_blocks() sends of the blocks of each rank to all others.
+    enum class Content { coefficients, right };
+    void start_blocks(MultigridLevel& level, Content content, const core::Communicator& communicator, core::Pending& pending);
+    void complete_blocks(MultigridLevel& level, Content content, const core::Communicator& communicator) const;
+
+private:
+    static constexpr int tag = 7;
+    void prepare(std::size_t messages);
+    template <class Value>
+    void start_links(const MultigridLevel& level, const core::Communicator& communicator, core::Pending& pending, Value value);
+
+    std::vector<std::vector<std::byte>> send_;
+    std::vector<std::vector<float>> receive_;
+};
+
+} // namespace physics

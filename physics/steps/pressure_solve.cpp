@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#include "physics/steps/pressure_solve.hpp"
+
+namespace physics {
+namespace {
+
+/// Tells the solver the largest magnitude of a right-hand side, over all ranks.
+tasks::Job announce_right(tasks::Lane& lane, SevenPointSolver& solver, std::span<const double> right)
+{
+    double largest = 0.0;
+    lane.attempt([&] { largest = largest_magnitude(solver.layout(), right); });
+    co_await lane.max(std::span(&largest, 1));
+    solver.expect_right(largest);
+}
+
+} // namespace
+
+tasks::Job run_steps(tasks::Lane& lane, Multigrid& multigrid, std::span<const MultigridStep> steps)
+{
+    for (const auto& step : steps) {
+        if (!step.sends()) {
+            lane.attempt([&] { multigrid.run(lane.team(), step); });
+            continue;
+        }
+        core::Pending pending;
+        {
+            const auto mpi = lane.messages();
+            multigrid.start(step, lane.communicator(), pending);
+        }
+        co_await lane.arrive(pending);
+        multigrid.complete(step, lane.communicator());
+    }
+}
+
+tasks::Job set_up(tasks::Lane& lane, SevenPointSolver& solver, Coefficients coefficients)
+{
+    double largest = 0.0;
+    lane.attempt([&] {
+        solver.copy(lane.team(), coefficients);
+        largest = largest_coefficient(solver.mesh(), solver.matrix());
+    });
+    co_await lane.max(std::span(&largest, 1));
+    lane.attempt([&] { solver.load(lane.team(), largest); });
+    co_await run_steps(lane, solver.multigrid(), solver.multigrid().set_up_steps());
+}
+
+tasks::Job exchange_ghosts(tasks::Lane& lane, SevenPointSolver& solver, std::span<double> values)
+{
+    if (solver.mesh().exchanges.empty()) co_return;
+    core::Pending pending;
+    {
+        const auto mpi = lane.messages();
+        solver.messages().start_ghosts(solver.mesh(), values, lane.communicator(), pending);
+    }
+    co_await lane.arrive(pending);
+}
+
+tasks::Job apply(tasks::Lane& lane, SevenPointSolver& solver, std::span<double> in, std::span<double> out)
+{
+    co_await exchange_ghosts(lane, solver, in);
+    lane.attempt([&] { solver.apply(lane.team(), in, out); });
+}
+
+tasks::Job precondition(tasks::Lane& lane, SevenPointSolver& solver, std::span<const double> in, std::span<double> out)
+{
+    auto& multigrid = solver.multigrid();
+    multigrid.load_right(lane.team(), in, solver.right_scale());
+    co_await run_steps(lane, multigrid, multigrid.cycle_steps());
+    multigrid.store_solution(lane.team(), out);
+}
+
+tasks::Job serve(tasks::Lane& lane, KrylovProcess process, LinearJob apply, LinearJob precondition)
+{
+    while (process.next()) {
+        const KrylovDemand demand = process.demand();
+        switch (demand.kind) {
+        case KrylovDemand::Kind::apply: co_await apply(demand.in, demand.out); break;
+        case KrylovDemand::Kind::precondition: co_await precondition(demand.in, demand.out); break;
+        case KrylovDemand::Kind::sum: co_await lane.sum(demand.in); break;
+        }
+    }
+}
+
+tasks::Job solve(tasks::Lane& lane, SevenPointSolver& solver, const KrylovOptions& options, std::span<double> right,
+                 std::span<double> x, KrylovReport& report)
+{
+    const LinearJob seven_point = [&](auto in, auto out) { return apply(lane, solver, in, out); };
+    const LinearJob cycle = [&](auto in, auto out) { return precondition(lane, solver, in, out); };
+    co_await announce_right(lane, solver, right);
+    co_await serve(lane, flexible_cg(lane.team(), solver.workspace(), options, right, x, report), seven_point, cycle);
+}
+
+tasks::Job solve_full(tasks::Lane& lane, SevenPointSolver& solver, const KrylovOptions& options, LinearJob full_operator,
+                      std::span<double> right, std::span<double> x, KrylovReport& report)
+{
+    const LinearJob cycle = [&](auto in, auto out) { return precondition(lane, solver, in, out); };
+    co_await announce_right(lane, solver, right);
+    co_await serve(lane, bicgstab(lane.team(), solver.workspace(), options, right, x, report), full_operator, cycle);
+}
+
+} // namespace physics

@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+// ctest: ranks=2 timeout=120
+// The solution on two ranks, against the same solve on one rank, bit by bit.
+#include "core/base/error.hpp"
+#include "physics/steps/pressure_solve.hpp"
+#include "tests/support/conduction_boxes.hpp"
+#include <cstring>
+#include <doctest/doctest.h>
+
+namespace {
+
+const core::SerialTeam serial;
+
+struct Solution {
+    std::vector<std::vector<double>> blocks; ///< of this rank, by global id
+    physics::KrylovReport report;
+};
+
+/// The part of a problem that one rank of several sees.
+test::ConductionProblem part_of(const test::ConductionProblem& whole, std::vector<int> owner, int rank)
+{
+    std::vector<core::Extents> own;
+    std::vector<int> ids;
+    for (int b = 0; b < int(owner.size()); ++b)
+        if (owner[std::size_t(b)] == rank) {
+            own.push_back(whole.topology.cells[std::size_t(b)]);
+            ids.push_back(b);
+        }
+    test::ConductionProblem part(own);
+    for (int b = 0; b < int(ids.size()); ++b) {
+        for (std::size_t axis = 0; axis < 3; ++axis) part.face.data(b, axis) = whole.face.data(ids[std::size_t(b)], axis);
+        part.shift.data(b, 0) = whole.shift.data(ids[std::size_t(b)], 0);
+    }
+    part.topology = {whole.topology.cells, owner, rank, {}};
+    for (std::size_t l = 0; l < whole.link.size(); ++l) {
+        const auto& link = whole.topology.links[l];
+        if (owner[std::size_t(link.a.block)] != rank && owner[std::size_t(link.b.block)] != rank) continue;
+        part.topology.links.push_back(link);
+        part.link.push_back(whole.link[l]);
+    }
+    return part;
+}
+
+/// Source of cell n of a block: the same on any rank, with opposite signs in the halves of the block.
+double source(int block, std::ptrdiff_t n, std::ptrdiff_t size)
+{
+    if (2 * n + 1 == size) return 0.0;
+    const auto mirrored = 2 * n < size ? n : size - 1 - n;
+    return (2 * n < size ? 1.0 : -1.0) * (1.0 + 0.3 * double((mirrored * 7919 + block * 104729) % 1000) / 1000.0);
+}
+
+Solution solve(const test::ConductionProblem& p, const core::Communicator& communicator, physics::MultigridOptions options)
+{
+    physics::SevenPointSolver solver(p.topology, options, communicator);
+    const auto& layout = solver.layout();
+    std::vector<double> right(layout.size(), 0.0), x(layout.size(), 0.0);
+    for (int b = 0; b < layout.blocks(); ++b)
+        for (std::ptrdiff_t c = 0; c < layout.cells(b).size(); ++c)
+            right[std::size_t(layout.origin(b) + c)] = source(layout.id(b), c, layout.cells(b).size());
+    Solution s;
+    const physics::KrylovOptions krylov{.most_iterations = 500, .singular = options.singular};
+    tasks::run(communicator, serial, [&](tasks::Lane& lane) -> tasks::Job {
+        co_await physics::set_up(lane, solver, p.coefficients(options.shifted));
+        co_await physics::solve(lane, solver, krylov, right, x, s.report);
+    });
+    s.blocks.resize(p.topology.cells.size());
+    for (int b = 0; b < layout.blocks(); ++b)
+        s.blocks[std::size_t(layout.id(b))].assign(x.begin() + layout.origin(b), x.begin() + layout.origin(b) + layout.cells(b).size());
+    return s;
+}
+
+/// Solves on one rank and on all, and compares the blocks of this rank.
+void check_same_bits(const test::ConductionProblem& whole, const physics::MultigridOptions& options)
+{
+    const auto world = core::Communicator::world().duplicate();
+    std::vector<int> owner;
+    for (std::size_t b = 0; b < whole.topology.cells.size(); ++b) owner.push_back(int(b % std::size_t(world.size())));
+    const auto alone = solve(whole, core::Communicator::self(), options);
+    const auto together = solve(part_of(whole, owner, world.rank()), world, options);
+    CHECK(together.report.residuals == alone.report.residuals);
+    for (std::size_t b = 0; b < owner.size(); ++b)
+        if (owner[b] == world.rank()) CHECK(together.blocks[b] == alone.blocks[b]);
+    MESSAGE("rank " << world.rank() << ": " << alone.report.iterations << " iterations");
+}
+
+} // namespace
+
+TEST_CASE("a box of 12 blocks has the same solution on any number of ranks, bit by bit")
+{
+    test::BoxGrid grid{{test::uniform(24, 1.0), test::uniform(21, 1.0), test::uniform(16, 1.0)}, {3, 2, 2}, {true, false, false}};
+    const auto p = test::box_problem(grid);
+    check_same_bits(p, {});
+    check_same_bits(p, {.coarsest_cells = 30, .replicated_cells = 0});
+    check_same_bits(p, {.coarsest_cells = 30, .replicated_cells = 200, .smoother = physics::Smoother::line});
+}
+
+TEST_CASE("blocks tied at random have the same solution on any number of ranks, bit by bit")
+{
+    for (unsigned seed = 1; seed <= 4; ++seed) {
+        const auto p = test::random_blocks(seed, 10.0);
+        check_same_bits(p, {.coarsest_cells = 20, .replicated_cells = 60});
+        check_same_bits(p, {.coarsest_cells = 20, .replicated_cells = 60, .shifted = true, .singular = false});
+    }
+}

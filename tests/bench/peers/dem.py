@@ -91,8 +91,9 @@ def peer(program, template):
 def ours(scene, steps, cores):
     program = os.path.join(os.environ["ISAGO_ROOT"], "build/release/tests/dem_bench")
     result = run([program, f"{scene}.txt", "pipe" if scene.startswith("pipe") else "bed", str(steps), str(cores)], f"isago.{scene}.log")
-    print("  " + result.output.strip().replace("\n", "\n  "))
-    return number(r"loop ([\d.e+-]+) s", result.output), result.busy(cores), result.foreign
+    print("  isago " + result.output.strip())
+    seconds, cpu = (number(pattern, result.output) for pattern in (r"threads: ([\d.]+) s", r"CPU ([\d.]+) s"))
+    return seconds, cpu / (seconds * cores), result.foreign
 
 
 def main(scenes, steps, cores):

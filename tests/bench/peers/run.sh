@@ -22,6 +22,8 @@ install)
     ;;
 dem | coupled | fluid)
     mkdir -p "$root/build/peers"
+    [[ -f $root/build/release/build.ninja ]] || cmake -S "$root" --preset release >/dev/null
+    ninja -C "$root/build/release" dem_bench isago >/dev/null || echo "our own programs do not build: the other codes alone"
     cd "$root/build/peers"
     exec /usr/bin/python3 "$here/$1.py" "${@:2}"
     ;;

@@ -15,7 +15,7 @@ Camera fit_camera(const core::Vec3& low, const core::Vec3& high, const core::Vec
     if (std::abs(ahead.dot(camera.up)) > 0.99) camera.up = core::Vec3::UnitZ();
     const core::Vec3 right = ahead.cross(camera.up).normalized(), up = right.cross(ahead);
     const double tangent_y = std::tan(camera.angle * std::numbers::pi / 360.0), tangent_x = aspect * tangent_y;
-    constexpr double margin = 1.12; // leaves room for caption and legend
+    constexpr double margin = 1.05; // leaves room for caption and legend
     double distance = 0.0;
     for (int corner = 0; corner < 8; ++corner) {
         const core::Vec3 point(corner & 1 ? high.x() : low.x(), corner & 2 ? high.y() : low.y(), corner & 4 ? high.z() : low.z());

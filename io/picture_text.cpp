@@ -17,7 +17,8 @@ struct Point {
 };
 using Stroke = std::vector<Point>;
 
-/// Catmull-Rom curve through the points, as short lines.
+/// Smooth curve through the points, as short lines: cubic Hermite pieces whose tangents turn four points of a circle into
+/// that circle.
 Stroke smooth(const Stroke& points, std::ptrdiff_t closed)
 {
     const auto n = std::ptrdiff_t(points.size());
@@ -26,8 +27,9 @@ Stroke smooth(const Stroke& points, std::ptrdiff_t closed)
     constexpr int steps = 8;
     for (std::ptrdiff_t k = 0; k + 1 < n + closed; ++k)
         for (int s = 0; s <= steps; ++s) {
-            const double t = double(s) / steps, t2 = t * t, t3 = t2 * t;
-            const double w[4] = {-0.5 * t + t2 - 0.5 * t3, 1.0 - 2.5 * t2 + 1.5 * t3, 0.5 * t + 2.0 * t2 - 1.5 * t3, 0.5 * (t3 - t2)};
+            constexpr double c = 0.828; // 2 (sqrt(2) - 1)
+            const double t = double(s) / steps, out = t * (1 - t) * (1 - t) * c, in = t * t * (1 - t) * c, step = t * t * (3 - 2 * t);
+            const double w[4] = {-out, 1 - step + in, step + out, -in};
             Point sum;
             for (std::ptrdiff_t m = 0; m < 4; ++m) {
                 sum.x += w[m] * at(k + m - 1).x;

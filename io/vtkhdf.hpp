@@ -2,17 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Results for ParaView, VTK and h5py: VTKHDF 1.0 unstructured grids, which ParaView reads from version 5.11 on.
+#include "io/block_nodes.hpp"
 #include "io/field_views.hpp"
 #include "io/hdf5.hpp"
 #include "io/series.hpp"
 
 namespace io {
-
-/// Geometry of a block of this rank.
-struct BlockNodes {
-    core::Extents cells;
-    std::vector<double> points; ///< 3 for each node, (ni + 1)(nj + 1)(nk + 1) nodes, i fastest [m]
-};
 
 /// The moment that a result file shows.
 struct ResultTime {

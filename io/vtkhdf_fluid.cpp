@@ -19,8 +19,7 @@ core::Extents nodes_of(core::Extents cells) { return {cells.ni + 1, cells.nj + 1
 /// The eight corners of every cell, as numbers of the block's nodes, in VTK's order.
 void add_hexahedra(core::Extents cells, std::vector<std::int64_t>& connectivity)
 {
-    const core::Extents nodes = nodes_of(cells);
-    const auto node = [&](int i, int j, int k) { return (std::int64_t(k) * nodes.nj + j) * nodes.ni + i; };
+    const auto node = [&](int i, int j, int k) { return std::int64_t(node_number(cells, {i, j, k})); };
     core::for_each_cell(cells, [&](int i, int j, int k) {
         for (const int up : {0, 1})
             for (const auto n : {node(i, j, k + up), node(i + 1, j, k + up), node(i + 1, j + 1, k + up), node(i, j + 1, k + up)})

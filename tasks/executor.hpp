@@ -27,7 +27,9 @@ public:
     [[nodiscard]] virtual std::string name() const = 0;
 };
 
+/// @param plan  Must outlive the executor.
 /// @throws core::ConfigError for a kind that does not exist or a number of threads below one.
 [[nodiscard]] std::unique_ptr<Executor> make_executor(const ExecutorOptions& options, const Plan& plan);
+std::unique_ptr<Executor> make_executor(const ExecutorOptions& options, const Plan&& plan) = delete;
 
 } // namespace tasks

@@ -38,6 +38,17 @@ void NodeRunner::begin_step(std::int64_t step)
     poison_.clear(step, plan_.ranks().rank());
 }
 
+template <class Body>
+void NodeRunner::guarded(const Stage& stage, LocalBlock block, Body body)
+{
+    if (poison_.set()) return;
+    try {
+        body();
+    } catch (...) {
+        poison_.record(std::current_exception(), stage.name, block);
+    }
+}
+
 void NodeRunner::start(int n)
 {
     const Node& node = plan_.nodes()[std::size_t(n)];
@@ -47,8 +58,9 @@ void NodeRunner::start(int n)
         start_job(n, stage, *lanes_[std::size_t(n)]);
         trace(n, begin);
     } else {
-        if (stage.whole()) run_rank(stage, *lanes_[std::size_t(n)]);
-        else run_blocks(node, stage);
+        if (stage.whole()) guarded(stage, -1, [&] { stage.on_rank(*lanes_[std::size_t(n)]); });
+        else
+            for (LocalBlock b = node.begin; b < node.end; ++b) guarded(stage, b, [&] { stage.on_block(b); });
         trace(n, begin);
         events_.ended(n);
     }
@@ -75,27 +87,8 @@ void NodeRunner::end_step()
 void NodeRunner::abandon(int n)
 {
     poison_.spread();
-    plan_.keep_abandoned(std::move(jobs_[std::size_t(n)]));
+    plan_.give_up(plan_.nodes()[std::size_t(n)].stage, std::move(jobs_[std::size_t(n)]));
     events_.ended(n);
-}
-
-void NodeRunner::run_blocks(const Node& node, const Stage& stage)
-{
-    for (LocalBlock b = node.begin; b < node.end && !poison_.set(); ++b) try {
-            stage.on_block(b);
-        } catch (...) {
-            poison_.record(std::current_exception(), stage.name, b);
-        }
-}
-
-void NodeRunner::run_rank(const Stage& stage, Lane& lane)
-{
-    if (poison_.set()) return;
-    try {
-        stage.on_rank(lane);
-    } catch (...) {
-        poison_.record(std::current_exception(), stage.name, -1);
-    }
 }
 
 void NodeRunner::start_job(int n, const Stage& stage, Lane& lane)
@@ -107,7 +100,10 @@ void NodeRunner::start_job(int n, const Stage& stage, Lane& lane)
     Job& job = jobs_[std::size_t(n)];
     job = stage.effect ? after_agreement(stage, lane) : stage.job(lane);
     job.start([this, n, &stage](const std::exception_ptr& error) {
-        if (error && poison_.record(error, stage.name, -1)) plan_.pump().raise_alarm();
+        if (error && poison_.record(error, stage.name, -1)) {
+            plan_.give_up(plan_.nodes()[std::size_t(n)].stage, {});
+            plan_.pump().raise_alarm();
+        }
         events_.ended(n);
     });
 }

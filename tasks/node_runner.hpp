@@ -41,8 +41,8 @@ public:
     [[nodiscard]] const Plan& plan() const { return plan_; }
 
 private:
-    void run_blocks(const Node& node, const Stage& stage);
-    void run_rank(const Stage& stage, Lane& lane);
+    template <class Body>
+    void guarded(const Stage& stage, LocalBlock block, Body body);
     void start_job(int node, const Stage& stage, Lane& lane);
     void abandon(int node);
     void trace(int node, double start);

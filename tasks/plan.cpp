@@ -21,7 +21,7 @@ MessagePump& Plan::pump() const { return graph_->pump_; }
 const core::Communicator& Plan::ranks() const { return graph_->ranks_; }
 
 void Plan::renew_communicators() const { graph_->renew_communicators(); }
-void Plan::keep_abandoned(Job job) const { graph_->keep_abandoned(std::move(job)); }
+void Plan::give_up(int stage, Job job) const { graph_->give_up(stage, std::move(job)); }
 
 std::pair<int, int> Plan::nodes_of(int stage) const
 {

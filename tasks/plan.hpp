@@ -64,10 +64,10 @@ public:
     [[nodiscard]] PlanReport describe() const;
     [[nodiscard]] MessagePump& pump() const;
     [[nodiscard]] const core::Communicator& ranks() const;
-    /// After an alarm: message spaces without the messages that nobody will receive. Collective.
+    /// A job of this stage has left messages that nobody will receive; `job` keeps the buffers that MPI may still know.
+    void give_up(int stage, Job job) const;
+    /// Gives new message spaces to the stages that any rank has given up. Collective.
     void renew_communicators() const;
-    /// Keeps the buffers of a job that waits for messages which nobody will send.
-    void keep_abandoned(Job job) const;
 
 private:
     friend class StageGraph;

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <set>
+#include <span>
+#include <utility>
 
 namespace tasks {
 
@@ -80,14 +82,17 @@ Plan StageGraph::compile(const std::vector<std::string>& due)
 
 void StageGraph::renew_communicators()
 {
-    for (Stage& stage : stages_)
-        if (stage.communicator) given_up_.push_back(std::exchange(*stage.communicator, ranks_.duplicate()));
+    std::vector<std::int64_t> left(stages_.size(), 0);
+    for (; renewed_ < given_up_.size(); ++renewed_) left[std::size_t(given_up_[renewed_].stage)] = 1;
+    ranks_.max(std::span(left));
+    for (std::size_t s = 0; s < stages_.size(); ++s)
+        if (left[s] != 0) left_.push_back(std::exchange(*stages_[s].communicator, ranks_.duplicate()));
 }
 
-void StageGraph::keep_abandoned(Job job)
+void StageGraph::give_up(int stage, Job job)
 {
-    const std::lock_guard lock(abandoned_mutex_);
-    abandoned_.push_back(std::move(job));
+    const std::lock_guard lock(given_up_mutex_);
+    given_up_.push_back({stage, std::move(job)});
 }
 
 } // namespace tasks

@@ -149,7 +149,7 @@ private:
     void refresh_halo(const void* id, FieldRef field, const std::string& name, int width);
     void remember(ResourceRecord record);
     void renew_communicators();
-    void keep_abandoned(Job job);
+    void give_up(int stage, Job job);
     Declared add(Stage stage);
 
     Layout layout_;
@@ -161,9 +161,14 @@ private:
     std::map<const void*, Halo> halos_;
     HaloFiller* filler_ = nullptr;
     std::string lane_;
-    std::mutex abandoned_mutex_;
-    std::vector<Job> abandoned_;                 ///< never continued: MPI may still know their buffers
-    std::vector<core::Communicator> given_up_;   ///< with messages that nobody receives
+    struct GivenUp {
+        int stage;
+        Job job; ///< never continued: MPI may still know its buffers
+    };
+    std::mutex given_up_mutex_;
+    std::vector<GivenUp> given_up_;
+    std::size_t renewed_ = 0; ///< of given_up_
+    std::vector<core::Communicator> left_; ///< with messages that nobody receives
 };
 
 } // namespace tasks

@@ -122,6 +122,31 @@ inline ConductionProblem random_blocks(unsigned seed, double jump)
     return p;
 }
 
+/// The part of a problem that one rank of several sees.
+inline ConductionProblem part_of(const ConductionProblem& whole, const std::vector<int>& owner, int rank)
+{
+    std::vector<core::Extents> own;
+    std::vector<int> ids;
+    for (int b = 0; b < int(owner.size()); ++b)
+        if (owner[std::size_t(b)] == rank) {
+            own.push_back(whole.topology.cells[std::size_t(b)]);
+            ids.push_back(b);
+        }
+    ConductionProblem part(own);
+    for (int b = 0; b < int(ids.size()); ++b) {
+        for (std::size_t axis = 0; axis < 3; ++axis) part.face.data(b, axis) = whole.face.data(ids[std::size_t(b)], axis);
+        part.shift.data(b, 0) = whole.shift.data(ids[std::size_t(b)], 0);
+    }
+    part.topology = {whole.topology.cells, owner, rank, {}};
+    for (std::size_t l = 0; l < whole.link.size(); ++l) {
+        const auto& link = whole.topology.links[l];
+        if (owner[std::size_t(link.a.block)] != rank && owner[std::size_t(link.b.block)] != rank) continue;
+        part.topology.links.push_back(link);
+        part.link.push_back(whole.link[l]);
+    }
+    return part;
+}
+
 /// A flat array from the rows of a dense vector, and back.
 inline std::vector<double> flat(const ConductionProblem& p, const physics::BlockLayout& layout, const Eigen::VectorXd& rows)
 {

@@ -17,31 +17,6 @@ struct Solution {
     physics::KrylovReport report;
 };
 
-/// The part of a problem that one rank of several sees.
-test::ConductionProblem part_of(const test::ConductionProblem& whole, std::vector<int> owner, int rank)
-{
-    std::vector<core::Extents> own;
-    std::vector<int> ids;
-    for (int b = 0; b < int(owner.size()); ++b)
-        if (owner[std::size_t(b)] == rank) {
-            own.push_back(whole.topology.cells[std::size_t(b)]);
-            ids.push_back(b);
-        }
-    test::ConductionProblem part(own);
-    for (int b = 0; b < int(ids.size()); ++b) {
-        for (std::size_t axis = 0; axis < 3; ++axis) part.face.data(b, axis) = whole.face.data(ids[std::size_t(b)], axis);
-        part.shift.data(b, 0) = whole.shift.data(ids[std::size_t(b)], 0);
-    }
-    part.topology = {whole.topology.cells, owner, rank, {}};
-    for (std::size_t l = 0; l < whole.link.size(); ++l) {
-        const auto& link = whole.topology.links[l];
-        if (owner[std::size_t(link.a.block)] != rank && owner[std::size_t(link.b.block)] != rank) continue;
-        part.topology.links.push_back(link);
-        part.link.push_back(whole.link[l]);
-    }
-    return part;
-}
-
 /// Source of cell n of a block: the same on any rank, with opposite signs in the halves of the block.
 double source(int block, std::ptrdiff_t n, std::ptrdiff_t size)
 {
@@ -77,7 +52,7 @@ void check_same_bits(const test::ConductionProblem& whole, const physics::Multig
     std::vector<int> owner;
     for (std::size_t b = 0; b < whole.topology.cells.size(); ++b) owner.push_back(int(b % std::size_t(world.size())));
     const auto alone = solve(whole, core::Communicator::self(), options);
-    const auto together = solve(part_of(whole, owner, world.rank()), world, options);
+    const auto together = solve(test::part_of(whole, owner, world.rank()), world, options);
     CHECK(together.report.residuals == alone.report.residuals);
     for (std::size_t b = 0; b < owner.size(); ++b)
         if (owner[b] == world.rank()) CHECK(together.blocks[b] == alone.blocks[b]);

@@ -99,11 +99,11 @@ void Filter::set_bound(double bound)
                    " m. Use a smaller bandwidth or thicker cells where particles are."));
 }
 
-void Filter::put(const core::Team& team, int n, const core::ScalarField& density)
+void Filter::put(const core::Team& team, int n, const std::function<core::View<const double>(core::LocalBlock)>& density)
 {
     auto& v = batch_[std::size_t(n)];
     for_rows(team, mesh_.layout, [&, c = coefficients_[0]](core::LocalBlock b, int j, int k, std::ptrdiff_t at, int cells) {
-        const double* from = density.on(b).row(j, k);
+        const double* from = density(b).row(j, k);
         for (int i = 0; i < cells; ++i) {
             v.t[0][std::size_t(at + i)] = from[i];
             v.sum[std::size_t(at + i)] = c * from[i];
@@ -111,10 +111,10 @@ void Filter::put(const core::Team& team, int n, const core::ScalarField& density
     });
 }
 
-void Filter::take(const core::Team& team, int n, core::ScalarField& density) const
+void Filter::take(const core::Team& team, int n, const std::function<core::View<double>(core::LocalBlock)>& density) const
 {
     for_rows(team, mesh_.layout, [&](core::LocalBlock b, int j, int k, std::ptrdiff_t at, int cells) {
-        std::copy_n(batch_[std::size_t(n)].sum.data() + at, cells, density.on(b).row(j, k));
+        std::copy_n(batch_[std::size_t(n)].sum.data() + at, cells, density(b).row(j, k));
     });
 }
 

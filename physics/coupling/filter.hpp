@@ -7,6 +7,7 @@
 #include "core/base/team.hpp"
 #include "physics/fluid/multigrid_messages.hpp"
 #include "physics/fluid/seven_point.hpp"
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -38,11 +39,21 @@ public:
     /// @param bound  Largest eigenvalue_bound() of all ranks.
     /// @throws ConfigError if the degree is beyond most_degree: cells far thinner than the bandwidth.
     void set_bound(double bound);
+    /// Most fields in one batch.
+    [[nodiscard]] int room() const { return options_.fields; }
     [[nodiscard]] int degree() const { return int(coefficients_.size()) - 1; }
 
-    /// Field `n` of the batch in and out: a density, that is a quantity per volume.
-    void put(const core::Team& team, int n, const core::ScalarField& density);
-    void take(const core::Team& team, int n, core::ScalarField& density) const;
+    /// Field `n` of the batch in and out: a density, that is a quantity per volume, as its part in each block.
+    void put(const core::Team& team, int n, const std::function<core::View<const double>(core::LocalBlock)>& density);
+    void take(const core::Team& team, int n, const std::function<core::View<double>(core::LocalBlock)>& density) const;
+    void put(const core::Team& team, int n, const core::ScalarField& density)
+    {
+        put(team, n, [&](core::LocalBlock b) { return density.on(b); });
+    }
+    void take(const core::Team& team, int n, core::ScalarField& density) const
+    {
+        take(team, n, [&](core::LocalBlock b) { return density.on(b); });
+    }
 
     /// Filters the first `fields` of the batch on one rank.
     void run(const core::Team& team, int fields);

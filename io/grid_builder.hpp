@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// From what a scene says about space to the mesh and to the box and walls of the particles.
+#include "core/grid/mesh.hpp"
+#include "core/particles/domain.hpp"
+#include "io/scene.hpp"
+#include "physics/particles/walls.hpp"
+
+namespace io {
+
+/// The blocks of the scene's grid.
+[[nodiscard]] core::MultiBlock make_blocks(const Grid& grid);
+
+/// The box around the grid, with its periods.
+[[nodiscard]] core::Domain make_domain(const Grid& grid);
+
+/// The walls of the grid as planes and cylinders, relative to the domain's origin.
+[[nodiscard]] std::vector<physics::Wall> primitive_walls(const Grid& grid);
+
+/// Names of the boundaries of the mesh that are walls for particles: all of them.
+[[nodiscard]] std::vector<std::string> wall_names(const core::Mesh& mesh);
+
+} // namespace io

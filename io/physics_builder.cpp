@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#include "io/physics_builder.hpp"
+#include <cmath>
+#include <numbers>
+
+namespace io {
+namespace {
+
+core::Vec3 unit_of(Axis axis) { return core::Vec3::Unit(axis == Axis::y ? 1 : axis == Axis::z ? 2 : 0); }
+
+physics::Drive drive_of(const Drive& drive, double density)
+{
+    const core::Vec3 acceleration = drive.pressure_gradient / density * unit_of(drive.axis);
+    if (drive.frequency) return physics::HarmonicDrive{acceleration, 2 * std::numbers::pi * *drive.frequency, 0};
+    if (drive.reverse_at) return physics::ReversingDrive{acceleration, drive.reverse_at->axis_speed};
+    return physics::ConstantDrive{acceleration};
+}
+
+} // namespace
+
+physics::FluidParameters fluid_parameters(const Scene& scene)
+{
+    physics::FluidParameters p;
+    p.density = scene.fluid->material.density;
+    p.viscosity = scene.fluid->material.viscosity;
+    if (scene.fluid->drive) p.drive = drive_of(*scene.fluid->drive, p.density);
+    p.tolerances.pressure = scene.solver.tolerance;
+    return p;
+}
+
+physics::ParticleParameters particle_parameters(const Scene& scene)
+{
+    const Contact& contact = *scene.contact;
+    const physics::ContactParameters law{contact.stiffness, contact.tangential_ratio, contact.restitution, contact.friction};
+    physics::ParticleParameters p;
+    p.species = int(scene.particles.size());
+    p.pairs = {law};
+    p.walls = {law};
+    p.gravity = gravity_of(scene);
+    p.seed = std::uint64_t(scene.run.random_seed);
+    return p;
+}
+
+core::Vec3 gravity_of(const Scene& scene)
+{
+    return scene.gravity ? core::Vec3(scene.gravity->magnitude * scene.gravity->direction) : core::Vec3(core::Vec3::Zero());
+}
+
+double mean_diameter(const Scene& scene)
+{
+    double volume = 0, count = 0;
+    for (const Species& s : scene.particles) {
+        volume += s.count * std::pow(s.diameter, 3);
+        count += s.count;
+    }
+    return count > 0 ? std::cbrt(volume / count) : 0.0;
+}
+
+} // namespace io

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// From what a scene says about matter to the parameters of physics.
+#include "io/scene.hpp"
+#include "physics/fluid/parameters.hpp"
+#include "physics/particles/parameters.hpp"
+
+namespace io {
+
+/// @pre scene.fluid
+[[nodiscard]] physics::FluidParameters fluid_parameters(const Scene& scene);
+
+/// @pre scene.contact. Gravity is that of the scene, without buoyancy.
+[[nodiscard]] physics::ParticleParameters particle_parameters(const Scene& scene);
+
+/// Acceleration of gravity [m/s2]; zero without it.
+[[nodiscard]] core::Vec3 gravity_of(const Scene& scene);
+
+/// Volume-mean diameter of all particles [m]; 0 without particles.
+[[nodiscard]] double mean_diameter(const Scene& scene);
+
+} // namespace io

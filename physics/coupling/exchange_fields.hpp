@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// The cell fields through which grains and fluid exchange momentum (see response.hpp for the algorithm).
+#include "core/field/batch.hpp"
+#include "core/grid/mesh.hpp"
+#include "physics/coupling/response.hpp"
+
+namespace physics {
+
+/// What grains deposit, per volume of cell and filtered: the arrays of a batch, in this order.
+enum GrainSum : std::size_t {
+    sum_solid,                                                          ///< C [-]
+    sum_flux,                                                           ///< put(V v), three components [m/s]
+    sum_impulse = sum_flux + 3,                                         ///< put(J), three components [N s/m3]
+    sum_predictor = sum_impulse + 3,                                    ///< reaction, flux, added, added_flux
+    sum_projection = sum_predictor + 4,                                 ///< reaction, flux, displaced
+    grain_sums = sum_projection + 3
+};
+
+/// What grains sample before they move.
+enum GrainView : std::size_t {
+    view_velocity,                           ///< u^n [m/s]
+    view_force = view_velocity + 3,          ///< G^n without the drive [N/m3]
+    view_acceleration = view_force + 3,      ///< (Du/Dt)^n [m/s2]
+    view_vorticity = view_acceleration + 3,  ///< curl u^n [1/s]
+    grain_views = view_vorticity + 3
+};
+
+/// What grains sample when the fluid has answered.
+enum GrainNews : std::size_t {
+    news_force,                            ///< G^{n+1} without the drive
+    news_force_change = news_force + 3,    ///< dG
+    news_predictor = news_force_change + 3, ///< du of the predictor
+    news_projection = news_predictor + 3,  ///< ru dG
+    news_miss = news_projection + 3,       ///< acceleration that the grains were not told, times dt
+    grain_news = news_miss + 3
+};
+
+struct ExchangeFields {
+    explicit ExchangeFields(const core::Mesh& mesh)
+        : fraction({"fluid fraction", "1", 1, true}, mesh.own_cells()),
+          acceleration({"fluid acceleration", "m/s2", 1, true}, mesh.own_cells()),
+          ledger({"ledger", "N s/m3", 0, true}, mesh.own_cells()),
+          fraction_before({"fluid fraction before", "1", 0, false}, mesh.own_cells()),
+          sums({"sums over grains", "", 1, false}, mesh.own_cells()), views({"fluid for grains", "", 1, false}, mesh.own_cells()),
+          news({"answer for grains", "", 1, false}, mesh.own_cells()), advected({"advected velocity u^a", "m/s", 0, false}, mesh.own_cells()),
+          miss({"untold change of velocity", "m/s", 0, false}, mesh.own_cells()),
+          change({"predicted change of velocity", "m/s", 0, false}, mesh.own_cells()),
+          response({"velocity per force", "m3 s/kg", 0, false}, mesh.own_cells()),
+          mobility({"mobility", "m3 s/kg", 1, false}, mesh.own_cells()),
+          known_mobility({"mobility of the known pressure", "m3 s/kg", 1, false}, mesh.own_cells()),
+          carried({"volume flux density without pressure", "m/s", 1, false}, mesh.own_cells()),
+          fluid_flux({"fluid volume flux density", "m/s", 1, false}, mesh.own_cells()),
+          fluid_outflow({"net outflow of fluid", "m3/s", 0, false}, mesh.own_cells())
+    {
+    }
+
+    core::ScalarField fraction;     ///< phi
+    core::VectorField acceleration; ///< Du/Dt of the last step
+    core::VectorField ledger;       ///< L: impulse that the fluid is still owed
+    core::ScalarField fraction_before;
+    core::FieldBatch<grain_sums> sums;
+    core::FieldBatch<grain_views> views;
+    core::FieldBatch<grain_news> news;
+    core::VectorField advected; ///< u^a: advection and viscosity alone
+    core::VectorField miss, change;
+    core::ScalarField response, mobility, known_mobility;
+    core::VectorField carried;
+    core::VectorField fluid_flux;     ///< phi u at the start of the step
+    core::ScalarField fluid_outflow;  ///< of fluid_flux
+};
+
+/// The response sums of a cell, read from the batch; the projection keeps its own reaction and flux.
+template <class Views>
+[[nodiscard]] GrainResponse predictor_sums(const Views& sums, int i, int j, int k)
+{
+    return {sums[sum_predictor](i, j, k), sums[sum_predictor + 1](i, j, k), 0.0, sums[sum_predictor + 2](i, j, k),
+            sums[sum_predictor + 3](i, j, k)};
+}
+
+template <class Views>
+[[nodiscard]] GrainResponse projection_sums(const Views& sums, int i, int j, int k)
+{
+    return {sums[sum_projection](i, j, k), sums[sum_projection + 1](i, j, k), sums[sum_projection + 2](i, j, k), 0.0, 0.0};
+}
+
+} // namespace physics

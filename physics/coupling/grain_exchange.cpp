@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#include "physics/coupling/grain_exchange.hpp"
+#include "physics/coupling/added_mass.hpp"
+#include "physics/coupling/contact_share.hpp"
+#include "physics/coupling/lift.hpp"
+#include "physics/coupling/torque.hpp"
+#include "physics/coupling/true_up.hpp"
+
+namespace physics {
+namespace {
+
+constexpr double sphere = std::numbers::pi / 6.0;
+
+double cubed(double x) { return x * x * x; }
+double volume_of(const core::ParticleSet& grains, int g) { return 8.0 * sphere * cubed(grains.radius[std::size_t(g)]); }
+
+core::Vec3 at(const GrainTable& table, std::size_t first, int g)
+{
+    const auto k = std::size_t(g);
+    return {table[first][k], table[first + 1][k], table[first + 2][k]};
+}
+
+void put(core::ParticleSet& grains, int first, int g, const core::Vec3& value)
+{
+    for (int a = 0; a < 3; ++a) grains.columns[std::size_t(first + a)][std::size_t(g)] = value[a];
+}
+
+} // namespace
+
+ExchangeColumns add_exchange_columns(core::ParticleSet& grains)
+{
+    const auto three = [&] {
+        const int first = grains.add_column();
+        grains.add_column();
+        grains.add_column();
+        return first;
+    };
+    ExchangeColumns c{};
+    c.owed = three();
+    c.velocity_before = three();
+    c.known_force = three();
+    c.force_used = three();
+    c.drag = grains.add_column();
+    c.added_mass = grains.add_column();
+    return c;
+}
+
+core::Vec3 GrainExchange::column(const core::ParticleSet& grains, int first, int g) const
+{
+    const auto value = [&](int a) { return grains.columns[std::size_t(first + a)][std::size_t(g)]; };
+    return {value(0), value(1), value(2)};
+}
+
+void GrainExchange::load(core::ParticleSet& grains, const GrainTable& views, std::span<const double> fraction,
+                         const core::Vec3& drive, double dt, double sub_step) const
+{
+    const CouplingParameters& p = parameters_;
+    clear_impulses(grains, wet_);
+    for (int g = 0; g < grains.owned; ++g) {
+        const auto k = std::size_t(g);
+        const double volume = volume_of(grains, g), diameter = 2.0 * grains.radius[k];
+        const core::Vec3 velocity = grains.velocity_of(g), fluid = at(views, view_velocity, g), vorticity = at(views, view_vorticity, g);
+        const core::Vec3 force = at(views, view_force, g);
+        const double mass = added_mass(p.added_mass, p.fluid_density, volume);
+        core::Vec3 known = (grains.mass[k] - p.fluid_density * volume) * p.gravity + volume * (force + p.fluid_density * drive) +
+                           column(grains, columns_.owed, g) / dt;
+        const SpinInput spin{fluid - velocity, vorticity, grains.spin_of(g), diameter, p.fluid_density, p.viscosity};
+        if (p.lift) known += magnus_lift(spin);
+        WetLoad load;
+        load.drag = drag_coefficient(p, spin.slip.norm(), fraction[k], diameter);
+        load.added_mass = mass;
+        load.force = known + mass * at(views, view_acceleration, g);
+        load.fluid_velocity = fluid;
+        if (p.torque) {
+            load.fluid_spin = 0.5 * vorticity;
+            load.spin_drag = torque_factor((spin.spin - load.fluid_spin).norm(), diameter, p.fluid_density, p.viscosity);
+        }
+        set_wet_load(grains, wet_, g, load, sub_step);
+        put(grains, columns_.velocity_before, g, velocity);
+        put(grains, columns_.known_force, g, known);
+        put(grains, columns_.force_used, g, force);
+        grains.columns[std::size_t(columns_.drag)][k] = load.drag;
+        grains.columns[std::size_t(columns_.added_mass)][k] = mass;
+    }
+}
+
+GrainCoupling GrainExchange::coupling_of(const core::ParticleSet& grains, int g, double dt) const
+{
+    const auto k = std::size_t(g);
+    return {grains.mass[k], volume_of(grains, g), dt * grains.columns[std::size_t(columns_.drag)][k],
+            grains.columns[std::size_t(columns_.added_mass)][k]};
+}
+
+double GrainExchange::hold_of(const core::ParticleSet& grains, int g) const
+{
+    const core::Vec3 contact = column(grains, wet_.impulse, g);
+    const core::Vec3 gained = grains.mass[std::size_t(g)] * (grains.velocity_of(g) - column(grains, columns_.velocity_before, g));
+    const core::Vec3 applied = gained - contact;
+    return contact_share(contact.dot(applied), applied.squaredNorm());
+}
+
+void GrainExchange::answer(const core::ParticleSet& grains, double dt, GrainTable& deposits) const
+{
+    deposits.resize(grain_sums);
+    for (auto& d : deposits) d.resize(std::size_t(grains.owned));
+    for (int g = 0; g < grains.owned; ++g) {
+        const auto k = std::size_t(g);
+        const GrainCoupling coupling = coupling_of(grains, g, dt);
+        const core::Vec3 velocity = grains.velocity_of(g);
+        const core::Vec3 impulse = coupling.mass * (velocity - column(grains, columns_.velocity_before, g)) -
+                                   dt * column(grains, columns_.known_force, g) - column(grains, wet_.impulse, g);
+        const double hold = hold_of(grains, g);
+        const GrainResponse p = grain_response(coupling, predictor_yield(hold));
+        const GrainResponse q = grain_response(coupling, projection_yield(hold, coupling.drag / coupling.mass));
+        deposits[sum_solid][k] = coupling.volume;
+        for (std::size_t a = 0; a < 3; ++a) {
+            deposits[sum_flux + a][k] = coupling.volume * velocity[int(a)];
+            deposits[sum_impulse + a][k] = impulse[int(a)];
+        }
+        deposits[sum_predictor][k] = p.reaction;
+        deposits[sum_predictor + 1][k] = p.flux;
+        deposits[sum_predictor + 2][k] = p.added;
+        deposits[sum_predictor + 3][k] = p.added_flux;
+        deposits[sum_projection][k] = q.reaction;
+        deposits[sum_projection + 1][k] = q.flux;
+        deposits[sum_projection + 2][k] = q.displaced;
+    }
+}
+
+void GrainExchange::owe(core::ParticleSet& grains, const GrainTable& news, double dt) const
+{
+    for (int g = 0; g < grains.owned; ++g) {
+        const GrainCoupling coupling = coupling_of(grains, g, dt);
+        const double hold = hold_of(grains, g);
+        const GrainResponse p = grain_response(coupling, predictor_yield(hold));
+        const GrainResponse q = grain_response(coupling, projection_yield(hold, coupling.drag / coupling.mass));
+        const core::Vec3 used = column(grains, columns_.force_used, g);
+        core::Vec3 owed;
+        for (int a = 0; a < 3; ++a) {
+            const auto value = [&](std::size_t first) { return news[first + std::size_t(a)][std::size_t(g)]; };
+            owed[a] = owed_impulse({used[a], value(news_force), value(news_force_change), value(news_predictor), value(news_projection), value(news_miss)},
+                                   coupling.volume, p, q, dt);
+        }
+        put(grains, columns_.owed, g, owed);
+    }
+}
+
+} // namespace physics

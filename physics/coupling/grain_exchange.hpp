@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// The grains' side of the exchange: the load that the fluid puts on each grain before the sub-steps, what each grain did
+// with it, and what it is still owed afterwards (steps 2, 3 and 6 of response.hpp).
+#include "physics/coupling/exchange_fields.hpp"
+#include "physics/coupling/grain_places.hpp"
+#include "physics/coupling/parameters.hpp"
+#include "physics/particles/newton.hpp"
+
+namespace physics {
+
+/// Columns of the particle set that the exchange keeps through the sub-steps of one fluid step. Each name is the first of
+/// three columns unless it says otherwise.
+struct ExchangeColumns {
+    int owed;            ///< impulse still owed [N s]; the only one that is carried from step to step
+    int velocity_before; ///< [m/s]
+    int known_force;     ///< all that the sub-steps apply besides contact, drag and added mass [N]
+    int force_used;      ///< B G^n [N/m3]
+    int drag;            ///< one column: K [kg/s]
+    int added_mass;      ///< one column [kg]
+};
+[[nodiscard]] ExchangeColumns add_exchange_columns(core::ParticleSet& grains);
+
+/// Values at the grains: one column for each array of a batch, and a spare one.
+using GrainTable = std::vector<std::vector<double>>;
+
+class GrainExchange {
+public:
+    GrainExchange(const CouplingParameters& parameters, WetColumns wet, ExchangeColumns columns)
+        : parameters_(parameters), wet_(wet), columns_(columns)
+    {
+    }
+    [[nodiscard]] const WetColumns& wet_columns() const { return wet_; }
+    [[nodiscard]] const ExchangeColumns& columns() const { return columns_; }
+
+    /// Step 2: loads of all owned grains.
+    /// @param views     grain_views columns sampled at the grains.
+    /// @param fraction  phi at the grains.
+    /// @param drive     Mean acceleration of the fluid by the drive over the step [m/s2].
+    void load(core::ParticleSet& grains, const GrainTable& views, std::span<const double> fraction, const core::Vec3& drive,
+              double dt, double sub_step) const;
+
+    /// Step 3: what each grain deposits; grain_sums columns.
+    void answer(const core::ParticleSet& grains, double dt, GrainTable& deposits) const;
+
+    /// Step 6: what each grain is owed.
+    /// @param news  grain_news columns sampled at the grains.
+    void owe(core::ParticleSet& grains, const GrainTable& news, double dt) const;
+
+private:
+    [[nodiscard]] GrainCoupling coupling_of(const core::ParticleSet& grains, int g, double dt) const;
+    [[nodiscard]] double hold_of(const core::ParticleSet& grains, int g) const;
+    [[nodiscard]] core::Vec3 column(const core::ParticleSet& grains, int first, int g) const;
+
+    CouplingParameters parameters_;
+    WetColumns wet_;
+    ExchangeColumns columns_;
+};
+
+} // namespace physics

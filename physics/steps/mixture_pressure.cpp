@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#include "physics/steps/mixture_pressure.hpp"
+#include "physics/fluid/cell_loops.hpp"
+#include "physics/fluid/face_flux.hpp"
+#include "physics/steps/krylov_job.hpp"
+#include "physics/steps/pressure_solve.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace physics {
+
+MixturePressure::MixturePressure(const SystemContext& context, const core::Communicator& ranks, const FluidTolerances& tolerances)
+    : context_(context), tolerances_(tolerances), links_(make_mesh_links(context.mesh, ranks.rank(), BehindWalls::nothing)),
+      link_faces_(link_faces(context.mesh, links_)), solver_(links_.topology, MultigridOptions{}, ranks),
+      unknown_(context, solver_.layout(), "pressure change"),
+      coefficients_({"mobile transmissibility", "", 0, false}, context.mesh.own_cells()), link_coefficients_(links_.transmissibility.size()),
+      right_(solver_.layout().size(), 0.0), solution_(solver_.layout().size(), 0.0), norms_(std::size_t(context.mesh.blocks()))
+{
+    coefficients_.allocate();
+}
+
+tasks::Job MixturePressure::load(tasks::Lane& lane)
+{
+    unknown_.for_blocks(lane, [&](core::LocalBlock b) {
+        mobile_transmissibility(context_.mesh.geometry(b), mobility_->on(b), coefficients_.on(b));
+    });
+    for (std::size_t n = 0; n < link_faces_.size(); ++n) {
+        const LinkFace& at = link_faces_[n];
+        link_coefficients_[n] = links_.transmissibility[n] * mobility_->on(at.block).along(at.axis)[at.face];
+    }
+    co_await set_up(lane, solver_, {&coefficients_, link_coefficients_, nullptr});
+}
+
+tasks::Job MixturePressure::apply(tasks::Lane& lane, std::span<const double> in, std::span<double> out)
+{
+    co_await unknown_.form_fluxes(lane, BehindWalls::nothing, in);
+    unknown_.for_blocks(lane, [&](core::LocalBlock b) {
+        scale_by_mobility(mobility_->on(b), unknown_.flux.on(b));
+        const auto outflow = solver_.layout().view(b, out);
+        net_outflow(unknown_.flux.on(b), outflow);
+        map_cells(outflow, [](double x) { return -x; }, outflow);
+    });
+}
+
+tasks::Job MixturePressure::precondition(tasks::Lane& lane, std::span<const double> in, std::span<double> out)
+{
+    co_await physics::precondition(lane, solver_, in, out);
+}
+
+tasks::Job MixturePressure::tolerance(tasks::Lane& lane, const core::ScalarField& throughput, KrylovOptions& options)
+{
+    std::fill(norms_.begin(), norms_.end(), 0.0);
+    unknown_.for_blocks(lane, [&](core::LocalBlock b) {
+        norms_[std::size_t(context_.mesh.global(b))] = sum_cells([](double x) { return x * x; }, throughput.on(b));
+    });
+    co_await lane.sum(norms_);
+    options.relative = 1e-13; // round-off: the tolerance proper is absolute
+    options.absolute = tolerances_.pressure * std::sqrt(std::accumulate(norms_.begin(), norms_.end(), 0.0));
+    options.most_iterations = tolerances_.most_iterations;
+    options.singular = true;
+    options.unknown = "pressure change";
+}
+
+tasks::Job MixturePressure::solve(tasks::Lane& lane, const core::FaceField& mobility, const core::ScalarField& outflow,
+                                  const core::ScalarField& throughput, core::ScalarField& change)
+{
+    mobility_ = &mobility;
+    co_await load(lane);
+    KrylovOptions options;
+    co_await tolerance(lane, throughput, options);
+    const BlockLayout& layout = solver_.layout();
+    std::fill(solution_.begin(), solution_.end(), 0.0);
+    unknown_.for_blocks(lane, [&](core::LocalBlock b) {
+        map_cells(layout.view(b, right_), [](double x) { return -x; }, outflow.on(b));
+    });
+    report_ = {};
+    co_await drive(lane, bicgstab(lane.team(), solver_.workspace(), options, right_, solution_, report_), *this);
+    unknown_.for_blocks(lane, [&](core::LocalBlock b) {
+        map_cells(change.on(b), [](double x) { return x; }, layout.view(b, solution_));
+    });
+}
+
+} // namespace physics

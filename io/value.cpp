@@ -82,7 +82,7 @@ namespace {
         if (node.kind == Node::Kind::scalar) {
             const Node with_sign = [&] {
                 Node copy = node;
-                if (copy.text.size() == 1) copy.text = "+" + copy.text;
+                if (copy.text.size() == 1) copy.text.insert(0, 1, '+');
                 return copy;
             }();
             const int n = read_choice(with_sign, axis_words, reading);

@@ -19,7 +19,7 @@ Command check_command()
             "Check a scene and show all its mistakes with their places",
             {{"scene", "A scene.yaml or its folder", &arguments->scene, true},
              {"--set", "Override one key: key.path=value", &arguments->overrides}},
-            [arguments] {
+            [arguments](const Invocation&) {
                 const Scene scene = read_scene(arguments->scene, arguments->overrides);
                 fmt::print("{}: no mistakes\n", scene_file(arguments->scene).string());
                 return int(exit_success);

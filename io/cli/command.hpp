@@ -23,11 +23,17 @@ struct Option {
     bool required = false;
 };
 
+/// The words that the program was started with.
+struct Invocation {
+    int argc;
+    char** argv;
+};
+
 struct Command {
     std::string name;
     std::string help;
     std::vector<Option> options;
-    std::function<int()> run; ///< Returns the exit code. Errors that it throws are printed by main.
+    std::function<int(const Invocation&)> run; ///< Returns the exit code. Errors that it throws are printed by main.
 };
 
 [[nodiscard]] Command check_command();

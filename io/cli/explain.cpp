@@ -14,7 +14,7 @@ Command explain_command()
     return {"explain",
             "Explain a key of a scene, such as contact.stiffness or stiffness; all of them without a key",
             {{"key", "The key, whole or its end", key.get()}},
-            [key] {
+            [key](const Invocation&) {
                 fmt::print("{}", explain(*key));
                 return int(exit_success);
             }};

@@ -50,7 +50,7 @@ int run(int argc, char** argv)
     for (const auto& command : commands) {
         CLI::App* sub = app.add_subcommand(command.name, command.help);
         for (const auto& option : command.options) add_option(*sub, option);
-        sub->callback([&exit_code, &command] { exit_code = command.run(); });
+        sub->callback([&exit_code, &command, argc, argv] { exit_code = command.run({argc, argv}); });
     }
     try {
         app.parse(argc, argv);

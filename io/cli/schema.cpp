@@ -9,7 +9,7 @@ namespace io {
 
 Command schema_command()
 {
-    return {"schema", "Print the JSON Schema of scene.yaml, for editors", {}, [] {
+    return {"schema", "Print the JSON Schema of scene.yaml, for editors", {}, [](const Invocation&) {
                 fmt::print("{}", json_schema());
                 return int(exit_success);
             }};

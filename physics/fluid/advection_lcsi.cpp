@@ -1,0 +1,172 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#include "physics/fluid/advection_lcsi.hpp"
+#include "physics/fluid/hermite.hpp"
+
+#include <algorithm>
+
+namespace physics {
+namespace {
+
+/// Cells of a row that are treated together.
+constexpr int chunk = 64;
+
+/// Weights of `Points` neighbours along one axis for a chunk of cells: [point][cell].
+template <int Points>
+struct Weights {
+    alignas(64) double w[Points][chunk];
+
+    /// Do any of the cells use this point?
+    [[nodiscard]] bool used(int point, int cells) const
+    {
+        bool any = false;
+        for (int l = 0; l < cells; ++l) any |= w[point][l] != 0;
+        return any;
+    }
+    /// Does every cell use the middle point alone?
+    [[nodiscard]] bool middle_only(int cells) const
+    {
+        for (int p = 0; p < Points; ++p)
+            if (p != Points / 2 && used(p, cells)) return false;
+        return true;
+    }
+};
+
+void fill_hermite(const double* displacement, const unsigned char* linear, int cells, Weights<7>& weights)
+{
+#pragma omp simd
+    for (int l = 0; l < cells; ++l) hermite_weights(-displacement[l], &weights.w[0][l], chunk);
+    for (int l = 0; l < cells; ++l)
+        if (linear[l]) linear_weights(-displacement[l], &weights.w[0][l], chunk);
+}
+
+/// Weights of the points -1, 0, 1 for linear interpolation at -displacement / 2.
+void fill_half_way(const double* displacement, int cells, Weights<3>& weights)
+{
+#pragma omp simd
+    for (int l = 0; l < cells; ++l) {
+        const double s = std::clamp(-0.5 * displacement[l], -1.0, 1.0);
+        weights.w[0][l] = std::max(-s, 0.0);
+        weights.w[1][l] = 1 - std::abs(s);
+        weights.w[2][l] = std::max(s, 0.0);
+    }
+}
+
+/// The same window of points around every cell of a chunk, each cell with weights of its own.
+template <int Points>
+class Window {
+public:
+    Weights<Points> i, j, k;
+
+    /// Sums q over the window of cells [first, first + cells) of row (j, k).
+    void apply(core::View<const double> q, core::Index3 first, int cells, double* sum) const
+    {
+        constexpr int middle = Points / 2;
+        const bool along_i = !i.middle_only(cells);
+        std::fill_n(sum, cells, 0.0);
+        for (int dk = 0; dk < Points; ++dk) {
+            if (!k.used(dk, cells)) continue;
+            for (int dj = 0; dj < Points; ++dj) {
+                if (!j.used(dj, cells)) continue;
+                const double* f = q.row(first.j + dj - middle, first.k + dk - middle) + first.i;
+                if (along_i) add_row(f, dj, dk, cells, sum);
+                else add_point(f, dj, dk, cells, sum);
+            }
+        }
+    }
+
+private:
+    void add_point(const double* f, int dj, int dk, int cells, double* sum) const
+    {
+#pragma omp simd
+        for (int l = 0; l < cells; ++l) sum[l] += j.w[dj][l] * k.w[dk][l] * f[l];
+    }
+    void add_row(const double* f, int dj, int dk, int cells, double* sum) const
+    {
+        constexpr int middle = Points / 2;
+#pragma omp simd
+        for (int l = 0; l < cells; ++l) {
+            double along = 0;
+#pragma GCC unroll 8
+            for (int p = 0; p < Points; ++p) along += i.w[p][l] * f[l + p - middle];
+            sum[l] += j.w[dj][l] * k.w[dk][l] * along;
+        }
+    }
+};
+
+/// Calls body(first cell, number of cells) for every chunk of every row.
+template <class Body>
+void for_each_chunk(core::Extents n, Body body)
+{
+    for (int k = 0; k < n.nk; ++k)
+        for (int j = 0; j < n.nj; ++j)
+            for (int i = 0; i < n.ni; i += chunk) body(core::Index3{i, j, k}, std::min(chunk, n.ni - i));
+}
+
+} // namespace
+
+void index_velocity(const core::BlockGeometry& geometry, core::VectorView<const double> velocity,
+                    core::VectorView<const double> before, double extrapolation, core::VectorView<double> index_velocity)
+{
+    const core::Extents n = geometry.cells;
+    for (int m = 0; m < 3; ++m) {
+        const auto& inverse = geometry.inverse_jacobian[std::size_t(m)];
+        const auto out = index_velocity.component(m);
+        for (int k = -1; k <= n.nk; ++k)
+            for (int j = -1; j <= n.nj; ++j) {
+                const double *ax = inverse[0].view().row(j, k), *ay = inverse[1].view().row(j, k), *az = inverse[2].view().row(j, k);
+                const double *ux = velocity.x.row(j, k), *uy = velocity.y.row(j, k), *uz = velocity.z.row(j, k);
+                const double *bx = before.x.row(j, k), *by = before.y.row(j, k), *bz = before.z.row(j, k);
+                double* o = out.row(j, k);
+#pragma omp simd
+                for (int i = -1; i <= n.ni; ++i)
+                    o[i] = ax[i] * (ux[i] + extrapolation * (ux[i] - bx[i])) + ay[i] * (uy[i] + extrapolation * (uy[i] - by[i])) +
+                           az[i] * (uz[i] + extrapolation * (uz[i] - bz[i]));
+            }
+    }
+}
+
+void trajectories(core::VectorView<const double> index_velocity, double dt, core::VectorView<double> displacement)
+{
+    for_each_chunk(displacement.x.extents(), [&](core::Index3 first, int cells) {
+        Window<3> window;
+        alignas(64) double path[3][chunk];
+        for (int m = 0; m < 3; ++m) {
+            const double* u = index_velocity.component(m).row(first.j, first.k) + first.i;
+            for (int l = 0; l < cells; ++l) path[m][l] = dt * u[l];
+        }
+        for (int iteration = 0; iteration < 2; ++iteration) {
+            fill_half_way(path[0], cells, window.i);
+            fill_half_way(path[1], cells, window.j);
+            fill_half_way(path[2], cells, window.k);
+            for (int m = 0; m < 3; ++m) {
+                window.apply(index_velocity.component(m), first, cells, path[m]);
+                for (int l = 0; l < cells; ++l) path[m][l] *= dt;
+            }
+        }
+        for (int m = 0; m < 3; ++m) {
+            double* out = displacement.component(m).row(first.j, first.k) + first.i;
+            for (int l = 0; l < cells; ++l) out[l] = std::clamp(path[m][l], -1.0, 1.0);
+        }
+    });
+}
+
+void advect(const core::BlockGeometry& geometry, core::VectorView<const double> q,
+            core::VectorView<const double> displacement, core::VectorView<double> out)
+{
+    const auto near_singular = geometry.near_singular.view();
+    for_each_chunk(geometry.cells, [&](core::Index3 first, int cells) {
+        Window<7> window;
+        const auto row = [&](const auto& view) { return view.row(first.j, first.k) + first.i; };
+        fill_hermite(row(displacement.x), row(near_singular), cells, window.i);
+        fill_hermite(row(displacement.y), row(near_singular), cells, window.j);
+        fill_hermite(row(displacement.z), row(near_singular), cells, window.k);
+        alignas(64) double sum[chunk];
+        for (int c = 0; c < 3; ++c) {
+            window.apply(q.component(c), first, cells, sum);
+            std::copy_n(sum, cells, row(out.component(c)));
+        }
+    });
+}
+
+} // namespace physics

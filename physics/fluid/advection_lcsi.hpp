@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// Semi-Lagrangian advection in index space (LCSI): where the water of a cell came from, and what it carried.
+#include "core/grid/geometry.hpp"
+
+namespace physics {
+
+/// Velocity in cells per second, U_m = d(xi_m)/d(x_j) u_j, at the middle of the step.
+/// @param velocity, before  At the two last times, two halo layers.
+/// @param extrapolation     Weight of (velocity - before): half of this step over the step before; 0 uses velocity alone.
+/// @param[out] index_velocity  Interior and one halo layer [1/s].
+void index_velocity(const core::BlockGeometry& geometry, core::VectorView<const double> velocity,
+                    core::VectorView<const double> before, double extrapolation, core::VectorView<double> index_velocity);
+
+/// Displacement in cells over one step, by two iterations of the midpoint rule with trilinear velocity; clipped to one
+/// cell in each direction, which is as far as the stencils reach.
+/// @param index_velocity     One halo layer [1/s].
+/// @param[out] displacement  Interior [cells].
+void trajectories(core::VectorView<const double> index_velocity, double dt, core::VectorView<double> displacement);
+
+/// q at the departure points: tensor product of six-point Hermite interpolation; linear where the six points would reach
+/// round a singular edge.
+/// @param q             Three halo layers.
+/// @param displacement  At most one cell in each direction.
+/// @source  NUMERICS A5 (after Ushijima 1994): the member of the family that amplifies no mode.
+void advect(const core::BlockGeometry& geometry, core::VectorView<const double> q,
+            core::VectorView<const double> displacement, core::VectorView<double> out);
+
+} // namespace physics

@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#include "physics/fluid/face_flux.hpp"
+
+#include <cmath>
+
+namespace physics {
+namespace {
+
+
+void gradient_flux_along(const core::FaceMetrics& face, int axis, core::View<const double> q,
+                         core::VectorView<const double> g, core::View<double> flux)
+{
+    const core::Extents n = flux.extents();
+    const std::ptrdiff_t back = q.stride(axis), gback = g.x.stride(axis);
+    for (int k = 0; k < n.nk; ++k)
+        for (int j = 0; j < n.nj; ++j) {
+            const double *t = face.transmissibility.view().row(j, k), *cx = face.cross_x.view().row(j, k),
+                         *cy = face.cross_y.view().row(j, k), *cz = face.cross_z.view().row(j, k);
+            const double *v = q.row(j, k), *gx = g.x.row(j, k), *gy = g.y.row(j, k), *gz = g.z.row(j, k);
+            double* f = flux.row(j, k);
+#pragma omp simd
+            for (int i = 0; i < n.ni; ++i)
+                f[i] = t[i] * (v[i] - v[i - back]) +
+                       0.5 * (cx[i] * (gx[i] + gx[i - gback]) + cy[i] * (gy[i] + gy[i - gback]) + cz[i] * (gz[i] + gz[i - gback]));
+        }
+}
+
+void interpolated_flux_along(const core::FaceMetrics& face, int axis, core::VectorView<const double> u, core::View<double> flux)
+{
+    const core::Extents n = flux.extents();
+    const std::ptrdiff_t back = u.x.stride(axis);
+    for (int k = 0; k < n.nk; ++k)
+        for (int j = 0; j < n.nj; ++j) {
+            const double *w = face.weight.view().row(j, k), *sx = face.area_x.view().row(j, k),
+                         *sy = face.area_y.view().row(j, k), *sz = face.area_z.view().row(j, k);
+            const double *x = u.x.row(j, k), *y = u.y.row(j, k), *z = u.z.row(j, k);
+            double* f = flux.row(j, k);
+#pragma omp simd
+            for (int i = 0; i < n.ni; ++i) {
+                const double b = w[i], a = 1 - b;
+                f[i] = sx[i] * (b * x[i] + a * x[i - back]) + sy[i] * (b * y[i] + a * y[i - back]) +
+                       sz[i] * (b * z[i] + a * z[i - back]);
+            }
+        }
+}
+
+} // namespace
+
+void gradient_flux(const core::BlockGeometry& geometry, core::View<const double> q, core::VectorView<const double> gradients,
+                   core::FaceView<double> flux)
+{
+    for (int axis = 0; axis < 3; ++axis)
+        gradient_flux_along(geometry.face[std::size_t(axis)], axis, q, gradients, flux.along(axis));
+}
+
+void close_walls(const BlockWalls& walls, core::FaceView<double> flux)
+{
+    const core::Extents cells{flux.j.extents().ni, flux.i.extents().nj, flux.i.extents().nk};
+    for (const core::Side side : core::all_sides) {
+        if (!walls.is_wall[std::size_t(side)]) continue;
+        const auto f = flux.along(core::axis_of(side));
+        for_each_side_face(cells, side, [&](int i, int j, int k) { f(i, j, k) = 0; });
+    }
+}
+
+void wall_gradient_flux(const core::BlockGeometry& geometry, const BlockWalls& walls, core::View<const double> q,
+                        core::FaceView<double> flux)
+{
+    for (const core::Side side : core::all_sides) {
+        if (!walls.is_wall[std::size_t(side)]) continue;
+        const int axis = core::axis_of(side);
+        const std::ptrdiff_t back = q.stride(axis);
+        const auto f = flux.along(axis);
+        const auto t = geometry.face[std::size_t(axis)].transmissibility.view();
+        for_each_side_face(geometry.cells, side, [&](int i, int j, int k) {
+            const std::ptrdiff_t c = q.offset(i, j, k);
+            f(i, j, k) = t(i, j, k) * 0.5 * (q.at(c) - q.at(c - back));
+        });
+    }
+}
+
+void interpolated_flux(const core::BlockGeometry& geometry, const BlockWalls& walls, core::VectorView<const double> u,
+                       core::FaceView<double> flux)
+{
+    for (int axis = 0; axis < 3; ++axis)
+        interpolated_flux_along(geometry.face[std::size_t(axis)], axis, u, flux.along(axis));
+    for (const core::Side side : core::all_sides) {
+        if (!walls.is_wall[std::size_t(side)]) continue;
+        const int axis = core::axis_of(side);
+        const auto f = flux.along(axis);
+        const core::Vec3& velocity = walls.velocity[std::size_t(side)];
+        for_each_side_face(geometry.cells, side,
+                           [&](int i, int j, int k) { f(i, j, k) = geometry.area(axis, i, j, k).dot(velocity); });
+    }
+}
+
+void net_outflow(core::FaceView<const double> flux, core::View<double> outflow)
+{
+    const core::Extents n = outflow.extents();
+    for (int k = 0; k < n.nk; ++k)
+        for (int j = 0; j < n.nj; ++j) {
+            const double *fi = flux.i.row(j, k), *low_j = flux.j.row(j, k), *high_j = flux.j.row(j + 1, k),
+                         *low_k = flux.k.row(j, k), *high_k = flux.k.row(j, k + 1);
+            double* out = outflow.row(j, k);
+#pragma omp simd
+            for (int i = 0; i < n.ni; ++i) out[i] = (fi[i + 1] - fi[i]) + (high_j[i] - low_j[i]) + (high_k[i] - low_k[i]);
+        }
+}
+
+void throughput(core::FaceView<const double> flux, core::View<double> through)
+{
+    const core::Extents n = through.extents();
+    for (int k = 0; k < n.nk; ++k)
+        for (int j = 0; j < n.nj; ++j) {
+            const double *fi = flux.i.row(j, k), *low_j = flux.j.row(j, k), *high_j = flux.j.row(j + 1, k),
+                         *low_k = flux.k.row(j, k), *high_k = flux.k.row(j, k + 1);
+            double* out = through.row(j, k);
+#pragma omp simd
+            for (int i = 0; i < n.ni; ++i)
+                out[i] = 0.5 * ((std::abs(fi[i + 1]) + std::abs(fi[i])) + (std::abs(high_j[i]) + std::abs(low_j[i])) +
+                                (std::abs(high_k[i]) + std::abs(low_k[i])));
+        }
+}
+
+} // namespace physics

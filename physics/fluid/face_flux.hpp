@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// Fluxes through the faces of a block: of gradients by the one compact formula, of vectors by linear interpolation.
+#include "physics/fluid/boundary.hpp"
+
+namespace physics {
+
+/// Flux of grad q through every face, F = T (q_b - q_a) + (S - T d) . (g_a + g_b) / 2, towards increasing index.
+/// Faces on walls get values that mean nothing: follow with close_walls() or wall_gradient_flux().
+/// @param q          One halo layer.
+/// @param gradients  Of q, one halo layer.
+/// @param[out] flux  [unit of q m].
+void gradient_flux(const core::BlockGeometry& geometry, core::View<const double> q, core::VectorView<const double> gradients,
+                   core::FaceView<double> flux);
+
+/// Nothing goes through walls.
+void close_walls(const BlockWalls& walls, core::FaceView<double> flux);
+
+/// Flux of grad q through walls on which q is given: T (q_wall - q). There the gradient along the wall vanishes, so the
+/// two-point part is all.
+/// @param q  Mirrored oddly about the wall's value, one layer.
+void wall_gradient_flux(const core::BlockGeometry& geometry, const BlockWalls& walls, core::View<const double> q,
+                        core::FaceView<double> flux);
+
+/// Flux of a vector through every face, linear between the cell centres; walls carry their own velocity.
+/// @param u  One halo layer.
+void interpolated_flux(const core::BlockGeometry& geometry, const BlockWalls& walls, core::VectorView<const double> u,
+                       core::FaceView<double> flux);
+
+/// Net outflow of each cell.
+/// @param[out] outflow  Interior [unit of flux].
+void net_outflow(core::FaceView<const double> flux, core::View<double> outflow);
+
+/// Half the sum of the magnitudes of the fluxes of each cell.
+void throughput(core::FaceView<const double> flux, core::View<double> through);
+
+/// Calls body(i, j, k) for the faces on one side of a block, in the indices of the FaceView along the side's axis.
+template <class Body>
+void for_each_side_face(core::Extents cells, core::Side side, Body body)
+{
+    const int axis = core::axis_of(side);
+    core::Index3 low{0, 0, 0}, high{cells.ni, cells.nj, cells.nk};
+    low[axis] = core::is_high(side) ? cells[axis] : 0;
+    high[axis] = low[axis] + 1;
+    core::for_each(low, high, body);
+}
+
+} // namespace physics

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#include "physics/fluid/gradient.hpp"
+
+namespace physics {
+namespace {
+
+/// Row pointers of the six different entries of the matrices.
+struct MatrixRow {
+    const double *xx, *xy, *xz, *yy, *yz, *zz;
+    MatrixRow(const core::GradientMatrices& m, int j, int k)
+        : xx(m.xx.view().row(j, k)), xy(m.xy.view().row(j, k)), xz(m.xz.view().row(j, k)), yy(m.yy.view().row(j, k)),
+          yz(m.yz.view().row(j, k)), zz(m.zz.view().row(j, k))
+    {
+    }
+};
+
+} // namespace
+
+void gradient(const core::BlockGeometry& geometry, const core::GradientMatrices& matrices, core::View<const double> q,
+              core::VectorView<double> out)
+{
+    const auto cx = geometry.centre_x.view(), cy = geometry.centre_y.view(), cz = geometry.centre_z.view();
+    const std::ptrdiff_t cj = cx.stride(1), ck = cx.stride(2), qj = q.stride(1), qk = q.stride(2);
+    const core::Extents n = geometry.cells;
+    for (int k = 0; k < n.nk; ++k)
+        for (int j = 0; j < n.nj; ++j) {
+            const double *x = cx.row(j, k), *y = cy.row(j, k), *z = cz.row(j, k), *v = q.row(j, k);
+            double *gx = out.x.row(j, k), *gy = out.y.row(j, k), *gz = out.z.row(j, k);
+            const MatrixRow m(matrices, j, k);
+#pragma omp simd
+            for (int i = 0; i < n.ni; ++i) {
+                double bx = 0, by = 0, bz = 0;
+                const auto add = [&](std::ptrdiff_t c, std::ptrdiff_t s) {
+                    const double dx = x[i + c] - x[i], dy = y[i + c] - y[i], dz = z[i + c] - z[i];
+                    const double w = (v[i + s] - v[i]) / (dx * dx + dy * dy + dz * dz);
+                    bx += w * dx;
+                    by += w * dy;
+                    bz += w * dz;
+                };
+                add(-1, -1);
+                add(1, 1);
+                add(-cj, -qj);
+                add(cj, qj);
+                add(-ck, -qk);
+                add(ck, qk);
+                gx[i] = m.xx[i] * bx + m.xy[i] * by + m.xz[i] * bz;
+                gy[i] = m.xy[i] * bx + m.yy[i] * by + m.yz[i] * bz;
+                gz[i] = m.xz[i] * bx + m.yz[i] * by + m.zz[i] * bz;
+            }
+        }
+}
+
+} // namespace physics

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#include "physics/fluid/mesh_links.hpp"
+#include "core/grid/hexahedron.hpp"
+#include "physics/fluid/face_flux.hpp"
+
+namespace physics {
+namespace {
+
+core::Index3 stepped(core::Index3 c, int axis, int by)
+{
+    c[axis] += by;
+    return c;
+}
+
+/// The cell of a block at one of its faces.
+core::Index3 cell_at_face(core::Index3 face, core::Side side)
+{
+    return stepped(face, core::axis_of(side), core::is_high(side) ? -1 : 0);
+}
+
+void add_interface(const core::Mesh& mesh, const core::Interface& f, MeshLinks& links)
+{
+    const int axis = core::axis_of(f.side_a);
+    const core::Extents na = mesh.cells(f.a), nb = mesh.cells(f.b);
+    for_each_side_face(na, f.side_a, [&](int i, int j, int k) {
+        const core::Index3 face{i, j, k}, a = cell_at_face(face, f.side_a);
+        const core::Index3 b = f.a_to_b(stepped(a, axis, core::is_high(f.side_a) ? 1 : -1));
+        const core::FaceShape shape = core::face_shape(core::face_corners(mesh.vertices(f.a), axis, face));
+        const core::Vec3 from = core::cell_shape(mesh.vertices(f.a), a).centroid;
+        const core::Vec3 d = core::cell_shape(mesh.vertices(f.b), b).centroid - f.shift - from;
+        links.topology.links.push_back({{f.a, cell_index(na, a.i, a.j, a.k), f.side_a}, {f.b, cell_index(nb, b.i, b.j, b.k), f.side_b}});
+        links.transmissibility.push_back(shape.area.squaredNorm() / std::abs(shape.area.dot(d)));
+    });
+}
+
+void add_wall(const core::Mesh& mesh, const core::Boundary& boundary, MeshLinks& links)
+{
+    const core::LocalBlock block = mesh.local(boundary.block);
+    if (block < 0) return;
+    const int axis = core::axis_of(boundary.side);
+    const auto transmissibility = mesh.geometry(block).face[std::size_t(axis)].transmissibility.view();
+    const core::Extents n = mesh.cells(boundary.block);
+    for_each_side_face(n, boundary.side, [&](int i, int j, int k) {
+        const core::Index3 c = cell_at_face({i, j, k}, boundary.side);
+        links.topology.links.push_back({{boundary.block, cell_index(n, c.i, c.j, c.k), boundary.side}, {wall_block, 0, boundary.side}});
+        links.transmissibility.push_back(transmissibility(i, j, k));
+    });
+}
+
+} // namespace
+
+MeshLinks make_mesh_links(const core::Mesh& mesh, int rank, BehindWalls walls)
+{
+    MeshLinks links;
+    links.topology.cells = mesh.topology().cells;
+    links.topology.owner = mesh.owners();
+    links.topology.rank = rank;
+    for (const core::Interface& f : mesh.topology().interfaces)
+        if (mesh.owner(f.a) == rank || mesh.owner(f.b) == rank) add_interface(mesh, f, links);
+    if (walls == BehindWalls::value)
+        for (const core::Boundary& boundary : mesh.topology().boundaries) add_wall(mesh, boundary, links);
+    return links;
+}
+
+} // namespace physics

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// What the linear solvers need of the mesh: links between the sides of blocks with their two-point transmissibilities.
+#include "core/grid/mesh.hpp"
+#include "physics/fluid/block_topology.hpp"
+
+namespace physics {
+
+struct MeshLinks {
+    BlockTopology topology;
+    std::vector<double> transmissibility; ///< of each link [m]
+};
+
+/// What lies behind walls.
+enum class BehindWalls {
+    nothing, ///< no flux: the pressure
+    value    ///< the unknown is given: velocity
+};
+
+/// Links of all sides that touch a block of this rank. Each transmissibility comes from the vertices of the same block on
+/// every rank, so that its bits do not depend on the number of ranks.
+[[nodiscard]] MeshLinks make_mesh_links(const core::Mesh& mesh, int rank, BehindWalls walls);
+
+} // namespace physics

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// From a predicted velocity to one free of divergence: fluxes through faces that feel the compact pressure gradient, and
+// their correction. All for an impulse psi = mobility * pressure; without particles the mobility is dt / density.
+#include "physics/fluid/face_flux.hpp"
+
+namespace physics {
+
+/// Puts the compact pressure gradient into face fluxes from which the interpolated one was taken out (Rhie-Chow):
+/// flux -= mobility * compact flux of grad p.
+/// @param scratch  Overwritten by the compact flux.
+void add_pressure_flux(const core::BlockGeometry& geometry, const BlockWalls& walls, double mobility,
+                       core::View<const double> pressure, core::VectorView<const double> pressure_gradient,
+                       core::FaceView<double> scratch, core::FaceView<double> flux);
+
+/// Carries over what the last face fluxes knew and the cell velocities did not, as far as advection and viscosity would
+/// not have wiped it out during the step. Without it the coupling of pressure and velocity fades as dt goes to zero
+/// (NUMERICS B1 iv).
+/// @param velocity  At the start of the step, one halo layer.
+/// @param before    Face fluxes at the start of the step.
+void add_flux_memory(const core::BlockGeometry& geometry, const BlockWalls& walls, double dt, double viscosity,
+                     core::VectorView<const double> velocity, core::FaceView<const double> before, core::FaceView<double> flux);
+
+/// flux -= compact flux of grad psi, the same that the pressure operator balances.
+/// @param scratch  Overwritten by the compact flux.
+void correct_flux(const core::BlockGeometry& geometry, const BlockWalls& walls, core::View<const double> psi,
+                  core::VectorView<const double> psi_gradient, core::FaceView<double> scratch, core::FaceView<double> flux);
+
+} // namespace physics

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// Fields that live within one step of the fluid; those that no kept stage touches are never allocated.
+#include "core/grid/mesh.hpp"
+
+namespace physics {
+
+struct FluidFields {
+    explicit FluidFields(const core::Mesh& mesh)
+        : pressure_gradient({"pressure gradient", "Pa/m", 1, false}, mesh.own_cells()),
+          gradient_x({"gradient of velocity x", "1/s", 1, false}, mesh.own_cells()),
+          gradient_y({"gradient of velocity y", "1/s", 1, false}, mesh.own_cells()),
+          gradient_z({"gradient of velocity z", "1/s", 1, false}, mesh.own_cells()),
+          viscous({"viscous acceleration", "m/s2", 0, false}, mesh.own_cells()),
+          source({"velocity to advect", "m/s", 3, false}, mesh.own_cells()),
+          index_velocity({"velocity in index space", "1/s", 1, false}, mesh.own_cells()),
+          displacement({"displacement", "cells", 0, false}, mesh.own_cells()),
+          advected({"advected velocity", "m/s", 0, false}, mesh.own_cells()),
+          predicted({"predicted velocity", "m/s", 1, false}, mesh.own_cells()),
+          diffusion({"diffusion of predicted velocity", "m2/s", 0, false}, mesh.own_cells()),
+          carried({"velocity without pressure", "m/s", 1, false}, mesh.own_cells()),
+          face_scratch({"flux of a gradient", "", 0, false}, mesh.own_cells()),
+          predicted_flux({"predicted volume flux", "m3/s", 0, false}, mesh.own_cells()),
+          outflow({"net outflow", "m3/s", 0, false}, mesh.own_cells()),
+          throughput({"throughput", "m3/s", 0, false}, mesh.own_cells()),
+          removed_outflow({"removed outflow", "m3/s", 0, false}, mesh.own_cells()),
+          psi({"pressure impulse", "m2/s", 1, false}, mesh.own_cells()),
+          psi_gradient({"gradient of pressure impulse", "m/s", 1, false}, mesh.own_cells())
+    {
+    }
+
+    core::VectorField pressure_gradient, gradient_x, gradient_y, gradient_z;
+    core::VectorField viscous;        ///< explicit, at the start of the step
+    core::VectorField source;         ///< what is interpolated at the departure points
+    core::VectorField index_velocity, displacement;
+    core::VectorField advected;       ///< source at the departure points
+    core::VectorField predicted;      ///< before the projection
+    core::VectorField diffusion;      ///< net flux of its gradient before viscosity has been made implicit
+    core::VectorField carried;        ///< predicted velocity without its pressure impulse: what faces interpolate
+    core::FaceField face_scratch, predicted_flux;
+    core::ScalarField outflow;        ///< of the predicted flux
+    core::ScalarField throughput;     ///< half the sum of the magnitudes of the fluxes of a cell
+    core::ScalarField removed_outflow; ///< what the projection took away of it
+    core::ScalarField psi;            ///< mobility * pressure increment
+    core::VectorField psi_gradient;
+};
+
+} // namespace physics

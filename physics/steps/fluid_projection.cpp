@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+// The second half of FluidStep: from the predicted velocity to the new state.
+#include "physics/fluid/cell_loops.hpp"
+#include "physics/fluid/gradient.hpp"
+#include "physics/fluid/projection.hpp"
+#include "physics/steps/fluid_step.hpp"
+
+namespace physics {
+
+using core::FaceView, core::LocalBlock, core::VectorView, core::View;
+using tasks::halo, tasks::reads, tasks::updates, tasks::writes;
+using Vectors = VectorView<const double>;
+
+void FluidStep::declare_projection(tasks::StageGraph& graph)
+{
+    declare_face_flux(graph);
+    graph.whole(
+        "solve pressure",
+        [this](tasks::Lane& lane, const core::ScalarField& outflow, const core::ScalarField& throughput, core::ScalarField& psi) {
+            return pressure_system_.solve(lane, outflow, throughput, psi);
+        },
+        reads(fields_.outflow, fields_.throughput), writes(fields_.psi));
+    declare_correction(graph);
+    declare_budget(graph);
+}
+
+void FluidStep::declare_face_flux(tasks::StageGraph& graph)
+{
+    auto& f = fields_;
+    graph.each_block(
+        "take pressure out",
+        [this](LocalBlock, Vectors predicted, Vectors gp, const FluidClock& clock, VectorView<double> carried) {
+            const double mobility = clock.dt / parameters_.density;
+            map_components(carried, [mobility](double u, double g) { return u + mobility * g; }, predicted, gp);
+        },
+        reads(f.predicted, f.pressure_gradient, clock_), writes(f.carried));
+    graph.each_block(
+        "face flux",
+        [this](LocalBlock b, Vectors carried, FaceView<double> flux) { interpolated_flux(geometry(b), walls_of(b), carried, flux); },
+        reads(halo(f.carried, 1)), writes(f.predicted_flux));
+    graph.each_block(
+        "pressure on faces",
+        [this](LocalBlock b, View<const double> p, Vectors gp, const FluidClock& clock, FaceView<double> scratch, FaceView<double> flux) {
+            add_pressure_flux(geometry(b), walls_of(b), clock.dt / parameters_.density, p, gp, scratch, flux);
+        },
+        reads(halo(state_.pressure, 1), halo(f.pressure_gradient, 1), clock_), writes(f.face_scratch), updates(f.predicted_flux));
+    graph.each_block(
+        "memory of face flux",
+        [this](LocalBlock b, Vectors u, FaceView<const double> before, const FluidClock& clock, FaceView<double> flux) {
+            add_flux_memory(geometry(b), walls_of(b), clock.dt, parameters_.viscosity, u, before, flux);
+        },
+        reads(halo(state_.velocity, 3), state_.flux, clock_), updates(f.predicted_flux));
+    graph.each_block(
+        "net outflow",
+        [](LocalBlock, FaceView<const double> flux, View<double> outflow, View<double> through) {
+            net_outflow(flux, outflow);
+            throughput(flux, through);
+        },
+        reads(f.predicted_flux), writes(f.outflow, f.throughput));
+}
+
+void FluidStep::declare_correction(tasks::StageGraph& graph)
+{
+    auto& f = fields_;
+    graph.each_block(
+        "gradient of pressure impulse",
+        [this](LocalBlock b, View<const double> psi, VectorView<double> out) { gradient(geometry(b), geometry(b).gradient, psi, out); },
+        reads(halo(f.psi, 1)), writes(f.psi_gradient));
+    graph.each_block(
+        "correct face flux",
+        [this](LocalBlock b, View<const double> psi, Vectors g, FaceView<const double> predicted, FaceView<double> scratch, FaceView<double> flux,
+               View<double> removed) {
+            map_faces(flux, [](double x) { return x; }, predicted);
+            correct_flux(geometry(b), walls_of(b), psi, g, scratch, flux);
+            net_outflow(scratch, removed);
+        },
+        reads(halo(f.psi, 1), halo(f.psi_gradient, 1), f.predicted_flux), writes(f.face_scratch, state_.flux, f.removed_outflow));
+    graph.each_block(
+        "remember velocity",
+        [](LocalBlock, Vectors u, VectorView<double> before) { map_components(before, [](double x) { return x; }, u); },
+        reads(state_.velocity), writes(state_.velocity_before));
+    graph.each_block(
+        "correct velocity",
+        [](LocalBlock, Vectors predicted, Vectors g, VectorView<double> u) {
+            map_components(u, [](double x, double gradient) { return x - gradient; }, predicted, g);
+        },
+        reads(f.predicted, f.psi_gradient), writes(state_.velocity));
+    graph.each_block(
+        "correct pressure",
+        [this](LocalBlock b, View<const double> psi, View<const double> outflow, const FluidClock& clock, View<double> p) {
+            // Rotational form: what implicit viscosity made of the divergence belongs to the pressure (Timmermans, Minev &
+            // van de Vosse 1996). Only what the solver removed counts: the rest comes back, and would pile up.
+            const double per_psi = parameters_.density / clock.dt;
+            const double per_divergence = parameters_.density * parameters_.viscosity * clock.implicit_share();
+            map_cells(p, [=](double old, double s, double out, double volume) { return old + (per_psi * s - per_divergence * out / volume); },
+                      p, psi, outflow, geometry(b).volume.view());
+        },
+        reads(f.psi, f.removed_outflow, clock_), updates(state_.pressure));
+}
+
+void FluidStep::declare_budget(tasks::StageGraph& graph)
+{
+    auto& f = fields_;
+    graph.each_block(
+        "momentum budget",
+        [this](LocalBlock b, Vectors u, Vectors before, Vectors source, Vectors advected, Vectors gp, Vectors predicted, Vectors psi_gradient,
+               const FluidClock& clock, MomentumBudget& budget) {
+            const auto sum = [&](Vectors q) { return volume_sum(geometry(b), q); };
+            const double dt = clock.dt, half = 0.5 * dt / parameters_.density;
+            const core::Vec3 gp_sum = sum(gp), source_sum = sum(source), advected_sum = sum(advected);
+            const double volume = sum_cells([](double v) { return v; }, geometry(b).volume.view());
+            budget.before = sum(before);
+            budget.after = sum(u);
+            budget.advection = advected_sum - source_sum;
+            budget.drive = dt * volume * mean_acceleration(parameters_.drive, clock.drive, clock.time, dt);
+            budget.pressure = -2 * half * gp_sum - sum(psi_gradient);
+            const core::Vec3 explicit_part = source_sum - budget.before + half * gp_sum;
+            const core::Vec3 implicit_part = sum(predicted) - (advected_sum + budget.drive - half * gp_sum);
+            budget.viscosity = explicit_part + implicit_part;
+        },
+        reads(state_.velocity, state_.velocity_before, f.source, f.advected, f.pressure_gradient, f.predicted, f.psi_gradient, clock_),
+        writes(budget_));
+    graph.sink(budget_, "budget");
+}
+
+} // namespace physics

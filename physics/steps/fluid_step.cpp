@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#include "physics/steps/fluid_step.hpp"
+#include "physics/fluid/advection_lcsi.hpp"
+#include "physics/fluid/cell_loops.hpp"
+#include "physics/fluid/diffusion.hpp"
+#include "physics/fluid/gradient.hpp"
+
+namespace physics {
+
+using core::FaceView, core::LocalBlock, core::VectorView, core::View;
+using tasks::halo, tasks::reads, tasks::updates, tasks::writes;
+using Vectors = VectorView<const double>;
+
+FluidStep::FluidStep(const core::Mesh& mesh, const core::Communicator& ranks, tasks::HaloFiller& halos, const FluidParameters& parameters)
+    : mesh_(mesh), parameters_(parameters), walls_(make_walls(mesh, parameters.walls)), state_(mesh), fields_(mesh),
+      clock_("fluid clock", state_.clock), pressure_system_({mesh, walls_, halos}, ranks, parameters.tolerances),
+      budget_("momentum budget", std::size_t(mesh.own_count()))
+{
+    if (parameters_.viscosity > 0)
+        viscosity_system_ = std::make_unique<ViscositySystem>(SystemContext{mesh_, walls_, halos}, pressure_system_.layout(), parameters_.tolerances);
+    state_.velocity.allocate();
+    state_.velocity_before.allocate();
+    state_.pressure.allocate();
+    state_.flux.allocate();
+}
+
+void FluidStep::declare(tasks::StageGraph& graph)
+{
+    const auto lane = graph.lane("fluid");
+    declare_predictor(graph);
+    declare_projection(graph);
+}
+
+void FluidStep::declare_predictor(tasks::StageGraph& graph)
+{
+    declare_boundaries(graph);
+    auto& f = fields_;
+    graph.each_block(
+        "gradient of pressure",
+        [this](LocalBlock b, View<const double> p, VectorView<double> gp) { gradient(geometry(b), geometry(b).gradient, p, gp); },
+        reads(halo(state_.pressure, 1)), writes(f.pressure_gradient));
+    if (viscosity_system_) declare_explicit_viscosity(graph);
+    declare_advection(graph);
+    graph.each_block(
+        "predict velocity",
+        [this](LocalBlock, Vectors advected, Vectors gp, const FluidClock& clock, VectorView<double> predicted) {
+            const core::Vec3 drive = mean_acceleration(parameters_.drive, clock.drive, clock.time, clock.dt);
+            const double half = 0.5 * clock.dt / parameters_.density;
+            for (int c = 0; c < 3; ++c)
+                map_cells(predicted.component(c), [half, gain = clock.dt * drive[c]](double u, double g) { return u + (gain - half * g); },
+                          advected.component(c), gp.component(c));
+        },
+        reads(f.advected, f.pressure_gradient, clock_), writes(f.predicted));
+    if (viscosity_system_) declare_implicit_viscosity(graph);
+}
+
+void FluidStep::declare_boundaries(tasks::StageGraph& graph)
+{
+    graph.boundary(state_.velocity, "walls of velocity",
+                   [this](LocalBlock b, VectorView<double> u) { mirror_velocity(walls_of(b), 3, u); });
+    graph.boundary(state_.velocity_before, "walls of velocity before",
+                   [this](LocalBlock b, VectorView<double> u) { mirror_velocity(walls_of(b), 1, u); });
+    graph.boundary(fields_.predicted, "walls of predicted velocity",
+                   [this](LocalBlock b, VectorView<double> u) { mirror_velocity(walls_of(b), 1, u); });
+    graph.boundary(state_.pressure, "walls of pressure", [this](LocalBlock b, View<double> p) { mirror_even(walls_of(b), 1, p); });
+    graph.boundary(fields_.psi, "walls of pressure impulse", [this](LocalBlock b, View<double> p) { mirror_even(walls_of(b), 1, p); });
+    graph.boundary(
+        fields_.source, "walls of velocity to advect",
+        [this](LocalBlock b, VectorView<double> q, Vectors u) { mirror_source(walls_of(b), 3, u, q); }, reads(halo(state_.velocity, 3)));
+}
+
+void FluidStep::declare_velocity_gradients(tasks::StageGraph& graph, const std::string& name, core::VectorField& velocity)
+{
+    auto& f = fields_;
+    graph.each_block(
+        name,
+        [this](LocalBlock b, Vectors u, VectorView<double> x, VectorView<double> y, VectorView<double> z) {
+            gradient(geometry(b), geometry(b).wall_gradient, u.x, x);
+            gradient(geometry(b), geometry(b).wall_gradient, u.y, y);
+            gradient(geometry(b), geometry(b).wall_gradient, u.z, z);
+        },
+        reads(halo(velocity, 1)), writes(f.gradient_x, f.gradient_y, f.gradient_z));
+}
+
+void FluidStep::declare_explicit_viscosity(tasks::StageGraph& graph)
+{
+    auto& f = fields_;
+    declare_velocity_gradients(graph, "gradient of velocity", state_.velocity);
+    graph.each_block(
+        "viscous acceleration",
+        [this](LocalBlock b, Vectors u, Vectors gx, Vectors gy, Vectors gz, FaceView<double> scratch, VectorView<double> out) {
+            const std::array gradients{gx, gy, gz};
+            for (int c = 0; c < 3; ++c) {
+                diffusive_inflow(geometry(b), walls_of(b), u.component(c), gradients[std::size_t(c)], scratch, out.component(c));
+                viscous_acceleration(geometry(b), parameters_.viscosity, out.component(c), out.component(c));
+            }
+        },
+        reads(halo(state_.velocity, 3), halo(f.gradient_x, 1), halo(f.gradient_y, 1), halo(f.gradient_z, 1)),
+        writes(f.face_scratch, f.viscous));
+}
+
+void FluidStep::declare_advection(tasks::StageGraph& graph)
+{
+    auto& f = fields_;
+    if (viscosity_system_)
+        graph.each_block(
+            "velocity to advect",
+            [this](LocalBlock, Vectors u, Vectors gp, Vectors viscous, const FluidClock& clock, VectorView<double> q) {
+                const double half = 0.5 * clock.dt / parameters_.density, share = clock.dt * (1 - clock.implicit_share());
+                map_components(q, [=](double v, double g, double a) { return v + (share * a - half * g); }, u, gp, viscous);
+            },
+            reads(state_.velocity, f.pressure_gradient, f.viscous, clock_), writes(f.source));
+    else
+        graph.each_block(
+            "velocity to advect",
+            [this](LocalBlock, Vectors u, Vectors gp, const FluidClock& clock, VectorView<double> q) {
+                const double half = 0.5 * clock.dt / parameters_.density;
+                map_components(q, [=](double v, double g) { return v - half * g; }, u, gp);
+            },
+            reads(state_.velocity, f.pressure_gradient, clock_), writes(f.source));
+    graph.each_block(
+        "velocity in index space",
+        [this](LocalBlock b, Vectors u, Vectors before, const FluidClock& clock, VectorView<double> out) {
+            index_velocity(geometry(b), u, before, clock.extrapolation(), out);
+        },
+        reads(halo(state_.velocity, 3), halo(state_.velocity_before, 1), clock_), writes(f.index_velocity));
+    graph.each_block(
+        "trajectories",
+        [](LocalBlock, Vectors u, const FluidClock& clock, VectorView<double> out) { trajectories(u, clock.dt, out); },
+        reads(f.index_velocity, clock_), writes(f.displacement));
+    graph.each_block(
+        "advect velocity",
+        [this](LocalBlock b, Vectors q, Vectors displacement, VectorView<double> out) { advect(geometry(b), q, displacement, out); },
+        reads(halo(f.source, 3), f.displacement), writes(f.advected));
+}
+
+void FluidStep::declare_implicit_viscosity(tasks::StageGraph& graph)
+{
+    auto& f = fields_;
+    declare_velocity_gradients(graph, "gradient of predicted velocity", f.predicted);
+    graph.each_block(
+        "diffusion of predicted velocity",
+        [this](LocalBlock b, Vectors u, Vectors gx, Vectors gy, Vectors gz, FaceView<double> scratch, VectorView<double> out) {
+            const std::array gradients{gx, gy, gz};
+            for (int c = 0; c < 3; ++c)
+                diffusive_inflow(geometry(b), walls_of(b), u.component(c), gradients[std::size_t(c)], scratch, out.component(c));
+        },
+        reads(halo(f.predicted, 1), halo(f.gradient_x, 1), halo(f.gradient_y, 1), halo(f.gradient_z, 1)),
+        writes(f.face_scratch, f.diffusion));
+    graph.whole(
+        "implicit viscosity",
+        [this](tasks::Lane& lane, const core::VectorField& diffusion, const FluidClock& clock, core::VectorField& predicted) {
+            return viscosity_system_->solve(lane, clock.implicit_share() * clock.dt * parameters_.viscosity, diffusion, predicted);
+        },
+        reads(f.diffusion, clock_), updates(f.predicted));
+}
+
+} // namespace physics

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// The step of the fluid as stages: semi-Lagrangian advection, implicit viscosity, projection. One step, second order:
+//   u_a = (u + (1 - s) dt nu Lap u - dt/2 grad p / rho) at the departure point,
+//   u*  = u_a + dt drive - dt/2 grad p / rho + s dt nu Lap u*,      s = 1/2, or 1 after a jump of the forcing
+//   u   = u* - (dt / rho) grad dp,  p = p + dp,                     p in the middle of the step
+#include "physics/fluid/momentum_budget.hpp"
+#include "physics/fluid/state.hpp"
+#include "physics/steps/fluid_fields.hpp"
+#include "physics/steps/pressure_system.hpp"
+#include "physics/steps/viscosity_system.hpp"
+#include <memory>
+
+namespace physics {
+
+class FluidStep {
+public:
+    /// @param halos  Fills halos of `graph` too; all references must outlive the step. Collective.
+    FluidStep(const core::Mesh& mesh, const core::Communicator& ranks, tasks::HaloFiller& halos, const FluidParameters& parameters);
+    FluidStep(const FluidStep&) = delete;
+    FluidStep& operator=(const FluidStep&) = delete;
+
+    /// Declares all stages. Allocates the state; `budget()` is computed when the label "budget" is due.
+    void declare(tasks::StageGraph& graph);
+    /// Up to the predicted velocity: nothing here depends on the particles of this step.
+    void declare_predictor(tasks::StageGraph& graph);
+    /// From the predicted velocity to the new state.
+    void declare_projection(tasks::StageGraph& graph);
+
+    [[nodiscard]] FluidState& state() { return state_; }
+    [[nodiscard]] const FluidState& state() const { return state_; }
+    [[nodiscard]] FluidFields& fields() { return fields_; }
+    [[nodiscard]] const std::vector<BlockWalls>& walls() const { return walls_; }
+    [[nodiscard]] PressureSystem& pressure_system() { return pressure_system_; }
+    [[nodiscard]] const ViscositySystem* viscosity_system() const { return viscosity_system_.get(); }
+    [[nodiscard]] const tasks::PerBlock<MomentumBudget>& budget() const { return budget_; }
+
+private:
+    void declare_boundaries(tasks::StageGraph& graph);
+    void declare_explicit_viscosity(tasks::StageGraph& graph);
+    void declare_advection(tasks::StageGraph& graph);
+    void declare_implicit_viscosity(tasks::StageGraph& graph);
+    void declare_face_flux(tasks::StageGraph& graph);
+    void declare_correction(tasks::StageGraph& graph);
+    void declare_budget(tasks::StageGraph& graph);
+    void declare_velocity_gradients(tasks::StageGraph& graph, const std::string& name, core::VectorField& velocity);
+    [[nodiscard]] const core::BlockGeometry& geometry(core::LocalBlock b) const { return mesh_.geometry(b); }
+    [[nodiscard]] const BlockWalls& walls_of(core::LocalBlock b) const { return walls_[std::size_t(b)]; }
+
+    const core::Mesh& mesh_;
+    FluidParameters parameters_;
+    std::vector<BlockWalls> walls_;
+    FluidState state_;
+    FluidFields fields_;
+    tasks::Part<FluidClock> clock_;
+    PressureSystem pressure_system_;
+    std::unique_ptr<ViscositySystem> viscosity_system_; ///< none without viscosity
+    tasks::PerBlock<MomentumBudget> budget_;
+};
+
+} // namespace physics

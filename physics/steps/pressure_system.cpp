@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#include "physics/steps/pressure_system.hpp"
+#include "physics/fluid/cell_loops.hpp"
+#include "physics/fluid/face_flux.hpp"
+#include "physics/steps/krylov_job.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace physics {
+namespace {
+
+/// The transmissibilities of the mesh as the multigrid wants them.
+void set_up(const core::Mesh& mesh, int rank, SevenPointSolver& solver)
+{
+    core::FaceField faces({"transmissibility", "m", 0, false}, mesh.own_cells());
+    faces.allocate();
+    for (core::LocalBlock b = 0; b < mesh.own_count(); ++b)
+        for (int axis = 0; axis < 3; ++axis)
+            map_cells(faces.on(b).along(axis), [](double t) { return t; }, mesh.geometry(b).face[std::size_t(axis)].transmissibility.view());
+    const MeshLinks links = make_mesh_links(mesh, rank, BehindWalls::nothing);
+    solver.set_up(core::SerialTeam(), {&faces, links.transmissibility, nullptr});
+}
+
+} // namespace
+
+PressureSystem::PressureSystem(const SystemContext& context, const core::Communicator& ranks, const FluidTolerances& tolerances)
+    : context_(context), tolerances_(tolerances),
+      solver_(make_mesh_links(context.mesh, ranks.rank(), BehindWalls::nothing).topology, MultigridOptions{}),
+      unknown_(context, solver_.layout(), "pressure impulse"), right_(solver_.layout().size(), 0.0),
+      solution_(solver_.layout().size(), 0.0), norms_(std::size_t(context.mesh.blocks()))
+{
+    set_up(context.mesh, ranks.rank(), solver_);
+}
+
+tasks::Job PressureSystem::apply(tasks::Lane& lane, std::span<const double> in, std::span<double> out)
+{
+    co_await unknown_.form_fluxes(lane, BehindWalls::nothing, in);
+    unknown_.for_blocks(lane, [&](core::LocalBlock b) {
+        const auto outflow = solver_.layout().view(b, out);
+        net_outflow(unknown_.flux.on(b), outflow);
+        map_cells(outflow, [](double x) { return -x; }, outflow);
+    });
+}
+
+tasks::Job PressureSystem::precondition(tasks::Lane& lane, std::span<const double> in, std::span<double> out)
+{
+    solver_.precondition(lane.team(), in, out);
+    co_return;
+}
+
+tasks::Job PressureSystem::solve(tasks::Lane& lane, const core::ScalarField& outflow, const core::ScalarField& throughput,
+                                 core::ScalarField& psi)
+{
+    const BlockLayout& layout = solver_.layout();
+    std::fill(norms_.begin(), norms_.end(), 0.0);
+    std::fill(solution_.begin(), solution_.end(), 0.0);
+    unknown_.for_blocks(lane, [&](core::LocalBlock b) {
+        map_cells(layout.view(b, right_), [](double x) { return -x; }, outflow.on(b));
+        norms_[std::size_t(context_.mesh.global(b))] = sum_cells([](double x) { return x * x; }, throughput.on(b));
+    });
+    co_await lane.sum(norms_);
+    const double norm = std::sqrt(std::accumulate(norms_.begin(), norms_.end(), 0.0));
+    KrylovOptions options;
+    options.relative = 1e-13; // round-off: the tolerance proper is absolute
+    options.absolute = tolerances_.pressure * norm;
+    options.most_iterations = tolerances_.most_iterations;
+    options.singular = true;
+    report_ = {};
+    co_await drive(lane, bicgstab(lane.team(), solver_.workspace(), options, right_, solution_, report_), *this);
+    unknown_.for_blocks(lane, [&](core::LocalBlock b) {
+        map_cells(psi.on(b), [](double x) { return x; }, layout.view(b, solution_));
+    });
+}
+
+} // namespace physics

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// One unknown of a linear system with all that the full operator needs: halos, gradients, fluxes. Vectors of the solver
+// are flat; here they are spread over the blocks.
+#include "core/grid/mesh.hpp"
+#include "physics/fluid/block_layout.hpp"
+#include "physics/fluid/boundary.hpp"
+#include "physics/fluid/mesh_links.hpp"
+#include "tasks/stage_graph.hpp"
+
+namespace physics {
+
+/// Parts of the run that every system of equations refers to; all must outlive it.
+struct SystemContext {
+    const core::Mesh& mesh;
+    const std::vector<BlockWalls>& walls; ///< of each block of this rank
+    tasks::HaloFiller& halos;
+};
+
+class Unknown {
+public:
+    /// Allocates. Collective.
+    Unknown(const SystemContext& context, const BlockLayout& layout, const std::string& name);
+
+    /// Calls body(block) for every block, on the team of the lane.
+    template <class Body>
+    void for_blocks(tasks::Lane& lane, Body body) const
+    {
+        lane.team().run(context_.mesh.own_count(), [&](int b) { body(core::LocalBlock(b)); });
+    }
+
+    /// Spreads `in`, fills halos, mirrors at walls, forms the fluxes of the gradient.
+    /// @post flux holds the compact flux of grad `in`.
+    tasks::Job form_fluxes(tasks::Lane& lane, BehindWalls walls, std::span<const double> in);
+
+    core::ScalarField value;
+    core::VectorField gradient;
+    core::FaceField flux;
+
+private:
+    SystemContext context_;
+    const BlockLayout& layout_;
+};
+
+} // namespace physics

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+// ctest: timeout=300
+// Oscillating flow in a round pipe against Womersley's solution (NUMERICS C1.5).
+#include "tests/support/fluid_run.hpp"
+#include <complex>
+#include <doctest/doctest.h>
+
+namespace {
+
+using Complex = std::complex<double>;
+
+/// Bessel functions of order 0 and 1 by their power series: exact to 1e-9 for |z| < 15.
+Complex bessel(int order, Complex z)
+{
+    Complex term = order == 0 ? 1.0 : 0.5 * z, sum = term;
+    for (int m = 1; m < 80; ++m) sum += term *= -0.25 * z * z / double(m * (m + order));
+    return sum;
+}
+
+/// Radius 1, forcing cos(t): the velocity at a radius.
+double exact(double alpha, double r, double time)
+{
+    const Complex i(0, 1), z = std::pow(i, 1.5) * alpha;
+    return std::real(-i * (1.0 - bessel(0, z * r) / bessel(0, z)) * std::exp(i * time));
+}
+
+/// Error of the axial profile after one period over the largest velocity mean, starting from the exact profile.
+double profile_error(int across, double alpha, int steps)
+{
+    physics::FluidParameters water;
+    water.viscosity = 1 / (alpha * alpha);
+    water.drive = physics::HarmonicDrive{core::Vec3::UnitX(), 1.0, 0.0};
+    test::FluidRun run(test::pipe_across(across, 2.0, 2, 1), water);
+    const auto solution = [&](double time) {
+        return [=](const core::Vec3& x) { return core::Vec3(exact(alpha, std::hypot(x.y(), x.z()), time), 0, 0); };
+    };
+    run.start(solution(0));
+    run.fluid().state().clock.steps_since_jump = 2; // the exact start is no jump
+    double worst = 0, largest = 0;
+    for (int n = 0; n < steps; ++n) {
+        run.step(2 * std::numbers::pi / steps);
+        worst = std::max(worst, run.velocity_error(solution(run.time())));
+        largest = std::max(largest, run.velocity_error([](const core::Vec3&) { return core::Vec3::Zero().eval(); }));
+    }
+    MESSAGE("alpha ", alpha, ", ", across, " cells, ", steps, " steps: ", worst / largest);
+    return worst / largest;
+}
+
+} // namespace
+
+TEST_CASE("the series gives the published amplitudes")
+{
+    // NUMERICS C1.5, alpha = 5: amplitude 1.160460 at r = 0, 0.791865 at r = 0.75.
+    CHECK(std::hypot(exact(5, 0, 0), exact(5, 0, std::numbers::pi / 2)) == doctest::Approx(1.160460).epsilon(1e-6));
+    CHECK(std::hypot(exact(5, 0.75, 0), exact(5, 0.75, std::numbers::pi / 2)) == doctest::Approx(0.791865).epsilon(1e-6));
+}
+
+TEST_CASE("24 cells across give the profile at alpha = 5 to 1.5 %")
+{
+    CHECK(profile_error(24, 5, 80) < 0.015);
+}
+
+TEST_CASE("the profile is second order in space")
+{
+    const double coarse = profile_error(16, 5, 160), fine = profile_error(32, 5, 160);
+    CHECK(std::log2(coarse / fine) > 1.8);
+}
+
+TEST_CASE("the profile is second order in time")
+{
+    const auto axial = [](int steps) {
+        physics::FluidParameters water;
+        water.viscosity = 0.04;
+        water.drive = physics::HarmonicDrive{core::Vec3::UnitX(), 1.0, 0.0};
+        test::FluidRun run(test::pipe_across(12, 2.0, 2, 1), water);
+        run.start([](const core::Vec3& x) { return core::Vec3(exact(5, x.tail<2>().norm(), 0), 0, 0); });
+        run.fluid().state().clock.steps_since_jump = 2;
+        for (int n = 0; n < steps; ++n) run.step(4.0 / steps);
+        return run.fluid().state().velocity.data(0, 0);
+    };
+    const auto distance = [](const std::vector<double>& a, const std::vector<double>& b) {
+        double sum = 0;
+        for (std::size_t n = 0; n < a.size(); ++n) sum += (a[n] - b[n]) * (a[n] - b[n]);
+        return std::sqrt(sum);
+    };
+    const auto coarse = axial(10), middle = axial(20), fine = axial(40);
+    CHECK(std::log2(distance(coarse, middle) / distance(middle, fine)) > 1.9);
+}

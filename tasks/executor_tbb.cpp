@@ -93,7 +93,7 @@ public:
             network_->fire();
             network_->wait();
             while (open_jobs_ > 0) // nothing left to compute until messages arrive
-                if (runner_.plan().pump().poll()) network_->wait();
+                if (runner_.plan().pump().poll_idle()) network_->wait();
         });
         runner_.end_step();
     }

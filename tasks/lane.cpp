@@ -81,7 +81,7 @@ void run(const core::Communicator& communicator, const core::Team& team, const s
         error = std::move(e);
     });
     while (!ended) {
-        pump.poll();
+        pump.poll_idle();
         for (; !arrived.empty(); arrived.pop_front()) arrived.front().resume();
     }
     try {

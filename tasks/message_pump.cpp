@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tasks/message_pump.hpp"
 
+#include <thread>
 #include <utility>
 
 namespace tasks {
@@ -48,6 +49,13 @@ bool MessagePump::poll()
     return !settled.empty();
 }
 
+bool MessagePump::poll_idle()
+{
+    const bool settled = poll();
+    if (!settled) std::this_thread::yield();
+    return settled;
+}
+
 void MessagePump::raise_alarm()
 {
     if (!alarm_) return;
@@ -58,6 +66,7 @@ void MessagePump::raise_alarm()
 void MessagePump::listen()
 {
     if (alarm_) alarm_->heard();
+    std::this_thread::yield();
 }
 
 bool MessagePump::end_alarm() { return alarm_ && alarm_->end(); }

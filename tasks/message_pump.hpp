@@ -28,12 +28,14 @@ public:
     void wait_for(core::Pending& messages, std::function<void(Outcome)> settled);
     /// Tests all messages unless another thread is in MPI. One atomic load if there are none. @return Whether some settled.
     bool poll();
+    /// poll() for a thread that has nothing else to do: lets other processes run where cores are short.
+    bool poll_idle();
     [[nodiscard]] bool idle() const { return waiting_count_.load(std::memory_order_acquire) == 0; }
 
     /// A job has left its messages: no rank may wait for messages any more, in this step.
     void raise_alarm();
     [[nodiscard]] bool alarmed() const { return alarm_ && alarm_->raised(); }
-    /// Passes on an alarm of other ranks, with no job waiting.
+    /// Passes on an alarm of other ranks, with no job waiting and nothing else to do.
     void listen();
     /// Ends the alarm, if any rank has raised it, on all ranks. Collective. @return Whether there was one.
     bool end_alarm();

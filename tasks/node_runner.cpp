@@ -147,7 +147,10 @@ void DrivenRunner::advance()
 
 void DrivenRunner::wait_for(int node)
 {
-    while (!has_ended_[std::size_t(node)]) advance();
+    while (!has_ended_[std::size_t(node)]) {
+        plan().pump().poll_idle();
+        advance();
+    }
 }
 
 std::vector<int> DrivenRunner::take_ended()

@@ -23,11 +23,15 @@ public:
 
     /// Declares all stages. Allocates the state; `budget()` is computed when the label "budget" is due.
     void declare(tasks::StageGraph& graph);
+    /// What holds at walls: before any stage that reads a halo.
+    void declare_boundaries(tasks::StageGraph& graph);
     /// Up to the predicted velocity: nothing here depends on the particles of this step.
     void declare_predictor(tasks::StageGraph& graph);
     /// From the predicted velocity to the new state.
     void declare_projection(tasks::StageGraph& graph);
 
+    [[nodiscard]] const FluidParameters& parameters() const { return parameters_; }
+    [[nodiscard]] const FluidParameters& parameters() const { return parameters_; }
     [[nodiscard]] FluidState& state() { return state_; }
     [[nodiscard]] const FluidState& state() const { return state_; }
     [[nodiscard]] FluidFields& fields() { return fields_; }
@@ -37,7 +41,6 @@ public:
     [[nodiscard]] const tasks::PerBlock<MomentumBudget>& budget() const { return budget_; }
 
 private:
-    void declare_boundaries(tasks::StageGraph& graph);
     void declare_explicit_viscosity(tasks::StageGraph& graph);
     void declare_advection(tasks::StageGraph& graph);
     void declare_implicit_viscosity(tasks::StageGraph& graph);

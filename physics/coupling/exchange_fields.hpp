@@ -43,6 +43,7 @@ struct ExchangeFields {
           acceleration({"fluid acceleration", "m/s2", 1, true}, mesh.own_cells()),
           ledger({"ledger", "N s/m3", 0, true}, mesh.own_cells()),
           fraction_before({"fluid fraction before", "1", 0, false}, mesh.own_cells()),
+          gradient({"gradient for vorticity", "1/s", 0, false}, mesh.own_cells()),
           sums({"sums over grains", "", 1, false}, mesh.own_cells()), views({"fluid for grains", "", 1, false}, mesh.own_cells()),
           news({"answer for grains", "", 1, false}, mesh.own_cells()), advected({"advected velocity u^a", "m/s", 0, false}, mesh.own_cells()),
           miss({"untold change of velocity", "m/s", 0, false}, mesh.own_cells()),
@@ -60,6 +61,7 @@ struct ExchangeFields {
     core::VectorField acceleration; ///< Du/Dt of the last step
     core::VectorField ledger;       ///< L: impulse that the fluid is still owed
     core::ScalarField fraction_before;
+    core::VectorField gradient; ///< scratch of the vorticity
     core::FieldBatch<grain_sums> sums;
     core::FieldBatch<grain_views> views;
     core::FieldBatch<grain_news> news;

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #include "physics/fluid/gradient.hpp"
+#include "physics/fluid/cell_loops.hpp"
 
 namespace physics {
 namespace {
@@ -49,6 +50,23 @@ void gradient(const core::BlockGeometry& geometry, const core::GradientMatrices&
                 gz[i] = m.xz[i] * bx + m.yz[i] * by + m.zz[i] * bz;
             }
         }
+}
+
+void vorticity(const core::BlockGeometry& geometry, core::VectorView<const double> u, core::VectorView<double> scratch,
+               core::VectorView<double> curl)
+{
+    const auto keep = [](double d) { return d; };
+    const auto add = [](double sum, double d) { return sum + d; };
+    const auto subtract = [](double sum, double d) { return sum - d; };
+    gradient(geometry, geometry.wall_gradient, u.x, scratch);
+    map_cells(curl.y, keep, scratch.z);
+    map_cells(curl.z, [](double d) { return -d; }, scratch.y);
+    gradient(geometry, geometry.wall_gradient, u.y, scratch);
+    map_cells(curl.z, add, curl.z, scratch.x);
+    map_cells(curl.x, [](double d) { return -d; }, scratch.z);
+    gradient(geometry, geometry.wall_gradient, u.z, scratch);
+    map_cells(curl.x, add, curl.x, scratch.y);
+    map_cells(curl.y, subtract, curl.y, scratch.x);
 }
 
 } // namespace physics

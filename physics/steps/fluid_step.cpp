@@ -28,13 +28,13 @@ FluidStep::FluidStep(const core::Mesh& mesh, const core::Communicator& ranks, ta
 void FluidStep::declare(tasks::StageGraph& graph)
 {
     const auto lane = graph.lane("fluid");
+    declare_boundaries(graph);
     declare_predictor(graph);
     declare_projection(graph);
 }
 
 void FluidStep::declare_predictor(tasks::StageGraph& graph)
 {
-    declare_boundaries(graph);
     auto& f = fields_;
     graph.each_block(
         "gradient of pressure",

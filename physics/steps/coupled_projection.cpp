@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+// CoupledStep, the cells' side: predictor, volume flux of the mixture, projection, correction.
+#include "physics/fluid/cell_loops.hpp"
+#include "physics/fluid/gradient.hpp"
+#include "physics/fluid/projection.hpp"
+#include "physics/steps/coupled_step.hpp"
+
+namespace physics {
+
+using core::FaceView, core::LocalBlock, core::VectorView, core::View;
+using tasks::halo, tasks::reads, tasks::updates, tasks::writes;
+using Vectors = VectorView<const double>;
+
+FluidOwn CoupledStep::own(CellVectors velocity, CellVectors predicted, CellVectors pressure_gradient, const FluidClock& clock) const
+{
+    const FluidParameters& p = fluid_.parameters();
+    return {velocity, predicted, pressure_gradient, mean_acceleration(p.drive, clock.drive, clock.time, clock.dt), p.density, clock.dt};
+}
+
+void CoupledStep::declare_boundaries(tasks::StageGraph& graph)
+{
+    for (core::ScalarField* field : {&fields_.fraction, &fields_.mobility, &fields_.known_mobility})
+        graph.boundary(*field, "walls of " + field->info().name,
+                       [this](LocalBlock b, View<double> q) { mirror_even(fluid_.walls()[std::size_t(b)], 1, q); });
+}
+
+void CoupledStep::declare_predictor(tasks::StageGraph& graph)
+{
+    auto& f = fields_;
+    auto& fluid = fluid_.fields();
+    auto& velocity = fluid_.state().velocity;
+    graph.each_block(
+        "untold change of velocity",
+        [this](LocalBlock, Vectors u, Vectors predicted, Vectors gp, Vectors acceleration, const FluidClock& clock,
+               VectorView<double> advected, VectorView<double> miss) {
+            untold_change(own(u, predicted, gp, clock), acceleration, advected, miss);
+        },
+        reads(velocity, fluid.predicted, fluid.pressure_gradient, f.acceleration, clock_), writes(f.advected, f.miss));
+    graph.each_block(
+        "predict with grains",
+        [this](LocalBlock, Vectors u, Vectors predicted, Vectors gp, const FluidClock& clock, GrainSumViews sums, Vectors ledger,
+               Vectors miss, VectorView<double> change) {
+            predicted_velocity_change(own(u, predicted, gp, clock), sums, ledger, miss, change);
+        },
+        reads(velocity, fluid.predicted, fluid.pressure_gradient, clock_, f.sums, f.ledger, f.miss), writes(f.change));
+    graph.each_block(
+        "projection response",
+        [this](LocalBlock, GrainSumViews sums, const FluidClock& clock, View<double> response, View<double> mobility) {
+            projection_response(sums, parameters_.fluid_density, clock.dt, response, mobility);
+        },
+        reads(f.sums, clock_), writes(f.response, f.mobility));
+    graph.each_block(
+        "mobility on faces", [](LocalBlock, View<const double> mobility, FaceView<double> faces) { face_mobility(mobility, faces); },
+        reads(halo(f.mobility, 1)), writes(face_mobility_));
+}
+
+void CoupledStep::declare_volume_flux(tasks::StageGraph& graph)
+{
+    auto& f = fields_;
+    auto& fluid = fluid_.fields();
+    auto& state = fluid_.state();
+    graph.each_block(
+        "volume flux with grains",
+        [this](LocalBlock, Vectors u, Vectors predicted, Vectors gp, const FluidClock& clock, GrainSumViews sums, Vectors change,
+               Vectors miss, View<double> known, VectorView<double> carried) {
+            predicted_volume_flux(own(u, predicted, gp, clock), sums, change, miss, known, carried);
+        },
+        reads(state.velocity, fluid.predicted, fluid.pressure_gradient, clock_, f.sums, f.change, f.miss),
+        writes(f.known_mobility, f.carried));
+    graph.each_block(
+        "face flux with grains",
+        [this](LocalBlock b, Vectors carried, FaceView<double> flux) {
+            interpolated_flux(geometry(b), fluid_.walls()[std::size_t(b)], carried, flux);
+        },
+        reads(halo(f.carried, 1)), writes(fluid.predicted_flux));
+    graph.each_block(
+        "known pressure on faces",
+        [this](LocalBlock b, View<const double> p, Vectors gp, View<const double> known, FaceView<double> known_faces,
+               FaceView<double> scratch, FaceView<double> flux) {
+            face_mobility(known, known_faces);
+            gradient_flux(geometry(b), p, gp, scratch);
+            close_walls(fluid_.walls()[std::size_t(b)], scratch);
+            map_faces(flux, [](double q, double m, double s) { return q - m * s; }, flux, known_faces, scratch);
+        },
+        reads(halo(state.pressure, 1), halo(fluid.pressure_gradient, 1), halo(f.known_mobility, 1)),
+        writes(known_face_mobility_, fluid.face_scratch), updates(fluid.predicted_flux));
+    graph.each_block(
+        "net outflow with grains",
+        [](LocalBlock, FaceView<const double> flux, View<double> outflow, View<double> through) {
+            net_outflow(flux, outflow);
+            throughput(flux, through);
+        },
+        reads(fluid.predicted_flux), writes(fluid.outflow, fluid.throughput));
+}
+
+void CoupledStep::declare_projection(tasks::StageGraph& graph)
+{
+    auto& fluid = fluid_.fields();
+    graph.whole(
+        "solve pressure with grains",
+        [this](tasks::Lane& lane, const core::FaceField& mobility, const core::ScalarField& outflow, const core::ScalarField& through,
+               core::ScalarField& change) { return pressure_.solve(lane, mobility, outflow, through, change); },
+        reads(face_mobility_, fluid.outflow, fluid.throughput), writes(fluid.psi));
+    graph.each_block(
+        "gradient of pressure change",
+        [this](LocalBlock b, View<const double> psi, VectorView<double> out) { gradient(geometry(b), geometry(b).gradient, psi, out); },
+        reads(halo(fluid.psi, 1)), writes(fluid.psi_gradient));
+    graph.each_block(
+        "correct face flux with grains",
+        [this](LocalBlock b, View<const double> psi, Vectors g, FaceView<const double> mobility, FaceView<const double> predicted,
+               FaceView<double> scratch, FaceView<double> flux) {
+            gradient_flux(geometry(b), psi, g, scratch);
+            close_walls(fluid_.walls()[std::size_t(b)], scratch);
+            map_faces(flux, [](double q, double m, double s) { return q - m * s; }, predicted, mobility, scratch);
+        },
+        reads(halo(fluid.psi, 1), halo(fluid.psi_gradient, 1), face_mobility_, fluid.predicted_flux),
+        writes(fluid.face_scratch, fluid_.state().flux));
+}
+
+void CoupledStep::declare_correction(tasks::StageGraph& graph)
+{
+    auto& f = fields_;
+    auto& fluid = fluid_.fields();
+    auto& state = fluid_.state();
+    graph.each_block(
+        "fluid volume flux",
+        [](LocalBlock, Vectors u, View<const double> fraction, VectorView<double> flux) {
+            for (int c = 0; c < 3; ++c) map_cells(flux.component(c), [](double v, double phi) { return phi * v; }, u.component(c), fraction);
+        },
+        reads(state.velocity, f.fraction), writes(f.fluid_flux));
+    graph.each_block(
+        "net outflow of fluid",
+        [this](LocalBlock b, Vectors w, FaceView<double> scratch, View<double> outflow) {
+            interpolated_flux(geometry(b), fluid_.walls()[std::size_t(b)], w, scratch);
+            net_outflow(scratch, outflow);
+        },
+        reads(halo(f.fluid_flux, 1)), writes(fluid.face_scratch, f.fluid_outflow));
+    graph.each_block(
+        "fluid fraction",
+        [](LocalBlock, GrainSumViews sums, View<double> fraction, View<double> before) {
+            map_cells(before, [](double phi) { return phi; }, fraction);
+            map_cells(fraction, [](double c) { return 1.0 - c; }, sums[sum_solid]);
+        },
+        reads(f.sums), updates(f.fraction), writes(f.fraction_before));
+    graph.each_block(
+        "ledger of advection",
+        [this](LocalBlock b, View<const double> fraction, View<const double> before, View<const double> outflow, Vectors u, Vectors predicted,
+               Vectors gp, const FluidClock& clock, Vectors advected, VectorView<double> ledger) {
+            advection_ledger_of(geometry(b), fraction, before, outflow, own(u, predicted, gp, clock), advected, ledger);
+        },
+        reads(f.fraction, f.fraction_before, f.fluid_outflow, state.velocity, fluid.predicted, fluid.pressure_gradient, clock_, f.advected),
+        writes(f.ledger));
+    graph.each_block(
+        "remember velocity",
+        [](LocalBlock, Vectors u, VectorView<double> before) { map_components(before, [](double x) { return x; }, u); },
+        reads(state.velocity), writes(state.velocity_before));
+    graph.each_block(
+        "correct velocity with grains",
+        [](LocalBlock, Vectors change, View<const double> response, Vectors gradient, VectorView<double> u) {
+            for (int c = 0; c < 3; ++c)
+                map_cells(u.component(c), [](double v, double du, double r, double g) { return v + (du - r * g); }, u.component(c),
+                          change.component(c), response, gradient.component(c));
+        },
+        reads(f.change, f.response, fluid.psi_gradient), updates(state.velocity));
+    graph.each_block(
+        "acceleration of fluid",
+        [](LocalBlock, Vectors u, Vectors advected, const FluidClock& clock, VectorView<double> out) {
+            map_components(out, [per_dt = 1.0 / clock.dt](double v, double a) { return per_dt * (v - a); }, u, advected);
+        },
+        reads(state.velocity, f.advected, clock_), writes(f.acceleration));
+    graph.each_block(
+        "correct pressure with grains",
+        [](LocalBlock, View<const double> change, View<double> p) { map_cells(p, [](double old, double d) { return old + d; }, p, change); },
+        reads(fluid.psi), updates(state.pressure));
+    for (auto* field : {&f.acceleration, &f.ledger, &state.velocity_before}) graph.sink(*field);
+    graph.sink(state.pressure);
+    graph.sink(state.flux);
+}
+
+} // namespace physics

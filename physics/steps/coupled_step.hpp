@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// Fluid and grains in one step, coupled both ways: the algorithm of physics/coupling/response.hpp as stages.
+#include "core/comm/halo.hpp"
+#include "physics/coupling/cell_exchange.hpp"
+#include "physics/coupling/filter.hpp"
+#include "physics/coupling/grain_exchange.hpp"
+#include "physics/particles/stepper.hpp"
+#include "physics/steps/fluid_step.hpp"
+#include "physics/steps/mixture_pressure.hpp"
+
+namespace physics {
+
+class CoupledStep {
+public:
+    /// All references must outlive the step. Collective.
+    CoupledStep(const core::Mesh& mesh, const core::Communicator& ranks, tasks::HaloFiller& halos, FluidStep& fluid,
+                ParticleDynamics& grains, ParticleStepper& stepper, const CouplingParameters& parameters);
+    CoupledStep(const CoupledStep&) = delete;
+    CoupledStep& operator=(const CoupledStep&) = delete;
+
+    /// Declares all stages, those of the fluid included.
+    void declare(tasks::StageGraph& graph);
+    /// Finds the grains among the cells and sets the fluid fraction of the first step. Collective.
+    [[nodiscard]] tasks::Job initialise(tasks::Lane& lane);
+
+    [[nodiscard]] ExchangeFields& fields() { return fields_; }
+    [[nodiscard]] const GrainExchange& exchange() const { return exchange_; }
+    [[nodiscard]] const MixturePressure& pressure() const { return pressure_; }
+    [[nodiscard]] int filter_degree() const { return filter_.degree(); }
+    /// Sub-steps of the grains in the step that is being made; set it together with the clock's dt = sub_steps * sub-step.
+    int sub_steps = 1;
+
+private:
+    void declare_boundaries(tasks::StageGraph& graph);
+    void declare_grain_load(tasks::StageGraph& graph);
+    void declare_grain_sums(tasks::StageGraph& graph);
+    void declare_predictor(tasks::StageGraph& graph);
+    void declare_volume_flux(tasks::StageGraph& graph);
+    void declare_projection(tasks::StageGraph& graph);
+    void declare_correction(tasks::StageGraph& graph);
+    void declare_answer(tasks::StageGraph& graph);
+
+    [[nodiscard]] tasks::Job move_grains(tasks::Lane& lane);
+    [[nodiscard]] tasks::Job sum_over_grains(tasks::Lane& lane, const ParticleDynamics& grains, double dt, GrainPlaces& places,
+                                             core::FieldBatch<grain_sums>& sums);
+    template <std::size_t N>
+    void sample(const core::Team& team, const GrainPlaces& places, std::size_t grains, const core::FieldBatch<N>& batch,
+                GrainTable& table) const;
+    [[nodiscard]] FluidOwn own(CellVectors velocity, CellVectors predicted, CellVectors pressure_gradient, const FluidClock& clock) const;
+    [[nodiscard]] const core::BlockGeometry& geometry(core::LocalBlock b) const { return mesh_.geometry(b); }
+
+    const core::Mesh& mesh_;
+    const core::Communicator& ranks_;
+    FluidStep& fluid_;
+    ParticleDynamics& dynamics_;
+    ParticleStepper& stepper_;
+    CouplingParameters parameters_;
+    core::Locator locator_;
+    core::HaloExchange plan_;
+    ExchangeFields fields_;
+    GrainExchange exchange_;
+    MixturePressure pressure_;
+    Filter filter_;
+    core::FaceField face_mobility_, known_face_mobility_;
+    tasks::Part<ParticleDynamics> grains_;
+    tasks::Part<FluidClock> clock_;
+    tasks::Value<GrainPlaces> places_;
+};
+
+} // namespace physics

@@ -39,7 +39,8 @@ Colour from_oklab(double lightness, double a, double b)
 Colour sequential_colour(double fraction)
 {
     const double t = std::isfinite(fraction) ? std::clamp(fraction, 0.0, 1.0) : 0.0;
-    return from_hue(0.30 + 0.62 * t, 0.105 + 0.05 * t, 285.0 - 180.0 * t);
+    const double chroma = 0.115 - 0.04 * std::sin(std::numbers::pi * t) + 0.045 * t; // stays inside sRGB
+    return from_hue(0.30 + 0.62 * t, chroma, 285.0 - 180.0 * t);
 }
 
 Colour species_colour(int index)

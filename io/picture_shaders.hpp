@@ -72,7 +72,7 @@ void main()
     vec3 sky = mix(vec3(0.52, 0.50, 0.50), vec3(0.80, 0.85, 0.92), up) * open;
     vec3 shine = base * (0.62 * sky + 0.72 * lit * key * vec3(1.0, 0.97, 0.92));
     shine += 0.10 * lit * pow(max(0.0, dot(normal, normalize(light - ray))), 48.0);
-    shine *= mix(0.62, 1.0, smoothstep(0.0, 0.42, facing));
+    shine *= mix(0.55, 1.0, smoothstep(0.0, 0.42, facing));
     pixel = vec4(pow(shine, vec3(1.0 / 2.2)), 1.0);
 })";
 

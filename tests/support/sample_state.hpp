@@ -3,6 +3,7 @@
 #pragma once
 // A small state of blocks, particles and contacts spread over any number of ranks, to be written and read back.
 #include "core/comm/communicator.hpp"
+#include "io/block_nodes.hpp"
 #include "io/checkpoint.hpp"
 #include "io/row_order.hpp"
 #include <cmath>
@@ -147,6 +148,29 @@ inline State whole_state(double salt)
     State state({{3, 0, 4, 1, 2}, block_total});
     state.fill(salt, 0, 1);
     return state;
+}
+
+/// Blocks dealt out in descending order, so that no rank's blocks follow each other; particles by their ids.
+inline State share_of_state(const core::Communicator& ranks)
+{
+    io::BlockList list{{}, block_total};
+    for (int id = block_total - 1; id >= 0; --id)
+        if (id % ranks.size() == ranks.rank()) list.own.push_back(id);
+    return State(list);
+}
+
+/// Unit cubes as cells: block `id` starts at x = 10 id.
+inline std::vector<io::BlockNodes> nodes_of(const State& state)
+{
+    std::vector<io::BlockNodes> nodes;
+    for (const core::BlockId id : state.blocks.own) {
+        const core::Extents cells = cells_of(id);
+        auto& block = nodes.emplace_back(io::BlockNodes{cells, {}});
+        core::for_each({0, 0, 0}, {cells.ni + 1, cells.nj + 1, cells.nk + 1}, [&](int i, int j, int k) {
+            for (const int x : {10 * id + i, j, k}) block.points.push_back(x);
+        });
+    }
+    return nodes;
 }
 
 } // namespace support

@@ -80,6 +80,8 @@ TEST_CASE("letters are drawn where they should be and have the height they shoul
 TEST_CASE("the colour map gets lighter all the way")
 {
     for (int n = 0; n < 50; ++n) CHECK(luminance(io::sequential_colour(n / 50.0)) < luminance(io::sequential_colour((n + 1) / 50.0)));
+    for (int n = 0; n <= 50; ++n) // no part is cut off, or the hue would have a kink there
+        for (const float part : io::sequential_colour(n / 50.0)) CHECK((part > 0.0f && part < 1.0f));
     CHECK(io::sequential_colour(-1.0) == io::sequential_colour(0.0));
     const io::Colour white = io::from_oklab(1.0, 0.0, 0.0);
     for (const float part : white) CHECK(part == doctest::Approx(1.0).epsilon(1e-3));

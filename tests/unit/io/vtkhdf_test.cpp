@@ -13,20 +13,6 @@ using support::Folder, support::State;
 
 namespace {
 
-/// Unit cubes: block `id` starts at x = 10 id.
-std::vector<io::BlockNodes> nodes_of(const State& state)
-{
-    std::vector<io::BlockNodes> nodes;
-    for (const core::BlockId id : state.blocks.own) {
-        const core::Extents cells = support::cells_of(id);
-        auto& block = nodes.emplace_back(io::BlockNodes{cells, {}});
-        core::for_each({0, 0, 0}, {cells.ni + 1, cells.nj + 1, cells.nk + 1}, [&](int i, int j, int k) {
-            for (const int x : {10 * id + i, j, k}) block.points.push_back(x);
-        });
-    }
-    return nodes;
-}
-
 /// Opens a file as VTK's reader does and compares shapes, indices and a value; independent of our own HDF5 code.
 constexpr const char* look = R"(
 import h5py, sys
@@ -64,7 +50,7 @@ TEST_CASE("h5py finds hexahedra, vertices and data where VTKHDF 1.0 wants them")
     const Folder folder;
     const auto self = core::Communicator::self();
     const State state = support::whole_state(1.0);
-    io::FluidResults fluid(folder.path(), self, state.blocks, nodes_of(state));
+    io::FluidResults fluid(folder.path(), self, state.blocks, support::nodes_of(state));
     io::ParticleResults particles(folder.path(), self);
     const io::RowOrder rows = state.order(self);
     const auto id = rows.apply(std::span(state.ids), 1);

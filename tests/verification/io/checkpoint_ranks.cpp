@@ -4,6 +4,7 @@
 // ctest: ranks=4 timeout=120
 #include "core/base/error.hpp"
 #include "tests/support/sample_state.hpp"
+#include "tests/support/shared_folder.hpp"
 
 #include <doctest/doctest.h>
 
@@ -11,48 +12,16 @@
 #include <fstream>
 #include <sys/resource.h>
 
-using support::Folder, support::State;
+using support::State;
 namespace fs = std::filesystem;
-
-namespace {
-
-/// One folder for all ranks, removed by rank 0.
-std::string shared_folder(const core::Communicator& ranks)
-{
-    std::string name = (fs::temp_directory_path() / ("isago_ranks_" + std::to_string(::getpid()))).string();
-    const auto view = std::as_bytes(std::span(name));
-    std::vector<std::byte> bytes(view.begin(), view.end());
-    ranks.broadcast(bytes, 0);
-    name.assign(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    fs::create_directories(name);
-    ranks.barrier();
-    return name;
-}
-
-/// Blocks dealt out in descending order, so that no rank's blocks follow each other.
-State share_of_state(const core::Communicator& ranks)
-{
-    io::BlockList list{{}, support::block_total};
-    for (int id = support::block_total - 1; id >= 0; --id)
-        if (id % ranks.size() == ranks.rank()) list.own.push_back(id);
-    return State(list);
-}
-
-void remove_folder(const std::string& path, const core::Communicator& ranks)
-{
-    ranks.barrier();
-    if (ranks.rank() == 0) fs::remove_all(path);
-    ranks.barrier();
-}
-
-} // namespace
 
 TEST_CASE("written by all and read by one, or the other way round: the same state")
 {
     const auto world = core::Communicator::world(), self = core::Communicator::self();
-    const std::string folder = shared_folder(world), own = folder + "/" + std::to_string(world.rank());
+    const support::SharedFolder shared(world);
+    const std::string &folder = shared.path(), own = folder + "/" + std::to_string(world.rank());
     const State whole = support::whole_state(2.0);
-    State share = share_of_state(world);
+    State share = support::share_of_state(world);
     share.fill(2.0, world.rank(), world.size());
     CHECK(share.digest(7, world) == whole.digest(7, self));
 
@@ -64,17 +33,17 @@ TEST_CASE("written by all and read by one, or the other way round: the same stat
     read_alone.read(together, self);
     CHECK(read_alone.digest(7, self) == whole.digest(7, self));
 
-    State read_together = share_of_state(world);
+    State read_together = support::share_of_state(world);
     read_together.read(folder + "/0/" + fs::path(alone).filename().string(), world);
     CHECK(read_together.digest(7, world) == whole.digest(7, self));
-    remove_folder(folder, world);
 }
 
 TEST_CASE("a full disk is an error on all ranks, and the checkpoint before it stays")
 {
     const auto world = core::Communicator::world();
-    const std::string folder = shared_folder(world);
-    State share = share_of_state(world);
+    const support::SharedFolder shared(world);
+    const std::string& folder = shared.path();
+    State share = support::share_of_state(world);
     share.fill(2.0, world.rank(), world.size());
     const std::string good = share.write(folder, 1, world);
     rlimit old{};
@@ -90,15 +59,14 @@ TEST_CASE("a full disk is an error on all ranks, and the checkpoint before it st
         CHECK(choice.refused.empty());
     }
     CHECK_NOTHROW((void)share.write(folder, 3, world));
-    remove_folder(folder, world);
 }
 
 TEST_CASE("a folder that cannot be made is an error on all ranks")
 {
     const auto world = core::Communicator::world();
-    const std::string folder = shared_folder(world);
+    const support::SharedFolder shared(world);
+    const std::string& folder = shared.path();
     if (world.rank() == 0) std::ofstream(folder + "/file") << "x";
     world.barrier();
     CHECK_THROWS_AS(io::CheckpointWriter(folder + "/file/below", 1, world), core::FileError);
-    remove_folder(folder, world);
 }

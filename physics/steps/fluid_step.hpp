@@ -31,7 +31,6 @@ public:
     void declare_projection(tasks::StageGraph& graph);
 
     [[nodiscard]] const FluidParameters& parameters() const { return parameters_; }
-    [[nodiscard]] const FluidParameters& parameters() const { return parameters_; }
     [[nodiscard]] FluidState& state() { return state_; }
     [[nodiscard]] const FluidState& state() const { return state_; }
     [[nodiscard]] FluidFields& fields() { return fields_; }

@@ -29,6 +29,7 @@ BinLattice make_bin_lattice(const Domain& domain, const Bounds& bounds, double c
 {
     BinLattice lattice;
     lattice.periodic = domain.periodic;
+    if (particles == 0) return lattice;
     Vec3 extent;
     for (int a = 0; a < 3; ++a) {
         const bool periodic = domain.periodic[std::size_t(a)];

@@ -2,13 +2,27 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Batches of sub-steps without a task graph: settling, tests, benchmarks.
-#include "core/comm/communicator.hpp"
-#include "physics/particles/dynamics.hpp"
+#include "physics/particles/stepper.hpp"
 
 namespace physics {
 
-/// Runs `sub_steps` sub-steps of all particles.
-void settle(ParticleDynamics& dynamics, const Motion& motion, int sub_steps, const core::Team& team,
-            const core::Communicator& communicator);
+/// Runs `sub_steps` sub-steps of all particles and waits for them. The communicator must have messages of its own.
+inline void settle(ParticleStepper& stepper, const Motion& motion, int sub_steps, const core::Team& team,
+                   const core::Communicator& communicator)
+{
+    stepper.begin(motion, sub_steps);
+    while (stepper.work(team)) {
+        core::Pending pending;
+        stepper.post(communicator, pending);
+        pending.wait();
+    }
+}
+
+/// The same on one rank.
+inline void settle(ParticleDynamics& dynamics, const Motion& motion, int sub_steps, const core::Team& team)
+{
+    ParticleStepper stepper(dynamics, {}, 0, 1);
+    settle(stepper, motion, sub_steps, team, core::Communicator::self());
+}
 
 } // namespace physics

@@ -33,6 +33,7 @@ ParticleDynamics::ParticleDynamics(const core::Domain& domain, const ParticlePar
 void ParticleDynamics::set_reach(double greatest_radius)
 {
     greatest_radius_ = greatest_radius;
+    if (greatest_radius == 0.0) greatest_radius = 1.0; // no particles: nothing is ever near
     skin_ = parameters_.skin > 0 ? parameters_.skin : usual_skin * greatest_radius;
     near_skin_ = parameters_.near_skin > 0 ? std::min(parameters_.near_skin, skin_) : usual_near_skin * greatest_radius;
 }

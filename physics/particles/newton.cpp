@@ -3,6 +3,7 @@
 #include "physics/particles/newton.hpp"
 
 #include <cmath>
+#include <limits>
 
 namespace physics {
 namespace {
@@ -10,22 +11,24 @@ namespace {
 /// (1 - exp(-z)) / z, also for z = 0.
 double mean_decay(double z) { return z > 0.0 ? -std::expm1(-z) / z : 1.0; }
 
-/// Drifts the particles of `sums` and returns their greatest square of speed.
+/// Drifts particles [begin, end) and returns their greatest square of speed; infinite if one has no finite speed.
 double drift_chunk(core::ParticleSet& p, int begin, int end, const DriftTimes& times)
 {
     double *x = p.position[0].data(), *y = p.position[1].data(), *z = p.position[2].data();
     const double *vx = p.velocity[0].data(), *vy = p.velocity[1].data(), *vz = p.velocity[2].data();
     const double first = times.first_half, second = times.second_half;
     double greatest = 0.0;
-#pragma omp simd reduction(max : greatest)
+    int lost = 0;
+#pragma omp simd reduction(max : greatest) reduction(| : lost)
     for (int i = begin; i < end; ++i) {
         x[i] = x[i] + first * vx[i] + second * vx[i];
         y[i] = y[i] + first * vy[i] + second * vy[i];
         z[i] = z[i] + first * vz[i] + second * vz[i];
         const double speed2 = vx[i] * vx[i] + vy[i] * vy[i] + vz[i] * vz[i];
         greatest = std::max(greatest, speed2);
+        lost |= int(!(speed2 < 1e300));
     }
-    return greatest;
+    return lost ? std::numeric_limits<double>::infinity() : greatest;
 }
 
 } // namespace

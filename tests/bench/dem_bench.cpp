@@ -70,11 +70,10 @@ int main(int argc, char** argv)
     for (const auto& sphere : scene.spheres) dynamics.particles.add(sphere);
     const physics::DryMotion motion{pipe ? Vec3(0, -9.81, 0) : Vec3(0, 0, -9.81)};
     const auto team = core::make_openmp_team(threads);
-    const auto communicator = core::Communicator::world();
-    physics::settle(dynamics, motion, 1, *team, communicator);
+    physics::settle(dynamics, motion, 1, *team);
     const auto start = std::chrono::steady_clock::now();
     const std::clock_t cpu_start = std::clock();
-    physics::settle(dynamics, motion, steps, *team, communicator);
+    physics::settle(dynamics, motion, steps, *team);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     const double cpu = double(std::clock() - cpu_start) / CLOCKS_PER_SEC;
     double height = 0.0;

@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#include "physics/particles/insertion.hpp"
+#include "core/base/error.hpp"
+#include "core/base/random.hpp"
+#include "core/grid/extents.hpp"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+namespace physics {
+namespace {
+
+constexpr int most_trials = 20000;
+constexpr std::uint64_t order_draw = std::uint64_t(1) << 40; // a draw that no trial uses
+
+double distance(const PlaneWall& wall, const core::Vec3& x) { return (x - wall.point).dot(wall.normal.normalized()); }
+
+double distance(const CylinderWall& wall, const core::Vec3& x)
+{
+    const core::Vec3 axis = wall.axis.normalized(), from = x - wall.point;
+    return wall.radius - (from - from.dot(axis) * axis).norm();
+}
+
+/// The spheres placed so far in bins of one largest diameter, so that only near ones are compared.
+class Placed {
+public:
+    Placed(const core::Domain& domain, double largest_diameter) : domain_(domain)
+    {
+        for (int a = 0; a < 3; ++a) {
+            count_[std::size_t(a)] = std::max(1, int(domain.size[a] / largest_diameter));
+            edge_[a] = domain.size[a] / count_[std::size_t(a)];
+        }
+    }
+
+    void add(const core::Vec3& x, double radius) { bins_[bin(x)].push_back({x, radius}); }
+
+    [[nodiscard]] bool free(const core::Vec3& x, double radius) const
+    {
+        const auto home = bin(x);
+        bool clear = true;
+        core::for_each({-1, -1, -1}, {2, 2, 2}, [&](int i, int j, int k) {
+            std::array<int, 3> at{home[0] + i, home[1] + j, home[2] + k};
+            for (std::size_t a = 0; a < 3; ++a)
+                if (domain_.periodic[a]) at[a] = (at[a] + count_[a]) % count_[a];
+            const auto found = bins_.find(at);
+            if (found == bins_.end()) return;
+            for (const Ball& ball : found->second) clear = clear && separation(ball.centre - x).norm() >= radius + ball.radius;
+        });
+        return clear;
+    }
+
+private:
+    struct Ball {
+        core::Vec3 centre;
+        double radius;
+    };
+    [[nodiscard]] std::array<int, 3> bin(const core::Vec3& x) const
+    {
+        std::array<int, 3> at{};
+        for (int a = 0; a < 3; ++a) at[std::size_t(a)] = std::clamp(int(x[a] / edge_[a]), 0, count_[std::size_t(a)] - 1);
+        return at;
+    }
+    [[nodiscard]] core::Vec3 separation(core::Vec3 d) const
+    {
+        for (int a = 0; a < 3; ++a)
+            if (domain_.periodic[std::size_t(a)]) d[a] -= domain_.size[a] * std::round(d[a] / domain_.size[a]);
+        return d;
+    }
+
+    const core::Domain& domain_;
+    std::array<int, 3> count_{};
+    core::Vec3 edge_;
+    std::map<std::array<int, 3>, std::vector<Ball>> bins_;
+};
+
+/// One sphere for each particle wanted, without a place.
+std::vector<std::pair<core::Sphere, Region>> wanted(const std::vector<Group>& groups)
+{
+    std::vector<std::pair<core::Sphere, Region>> all;
+    for (const Group& group : groups)
+        for (int n = 0; n < group.count; ++n) {
+            core::Sphere sphere = group.like;
+            sphere.id = std::int64_t(all.size());
+            all.emplace_back(sphere, group.region);
+        }
+    return all;
+}
+
+double largest_radius(const std::vector<Group>& groups)
+{
+    double largest = 0.0;
+    for (const Group& group : groups) largest = std::max(largest, group.like.radius);
+    return largest;
+}
+
+} // namespace
+
+double clearance(const std::vector<Wall>& walls, const core::Vec3& centre, double radius)
+{
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Wall& wall : walls) nearest = std::min(nearest, std::visit([&](const auto& w) { return distance(w, centre); }, wall));
+    return nearest - radius;
+}
+
+std::vector<core::Sphere> place_at_random(const core::Domain& domain, const std::vector<Wall>& walls, const std::vector<Group>& groups,
+                                          std::uint64_t seed)
+{
+    auto all = wanted(groups);
+    std::vector<std::size_t> order(all.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return all[a].first.radius > all[b].first.radius; });
+    Placed placed(domain, 2.0 * largest_radius(groups));
+    for (const std::size_t n : order) {
+        auto& [sphere, region] = all[n];
+        bool found = false;
+        for (int trial = 0; trial < most_trials && !found; ++trial) {
+            const auto u = core::random_uniform(seed, sphere.id, std::uint64_t(trial));
+            sphere.position = region.low + core::Vec3(u[0], u[1], u[2]).cwiseProduct(region.high - region.low);
+            found = clearance(walls, sphere.position, sphere.radius) >= 0.0 && placed.free(sphere.position, sphere.radius);
+        }
+        core::require<core::ConfigError>(found, core::text("no room for particle ", sphere.id, " of ", all.size(), " (diameter ", 2.0 * sphere.radius,
+                                                           " m) after ", most_trials, " trials: use fewer particles, a larger region or a lattice"));
+        placed.add(sphere.position, sphere.radius);
+    }
+    std::vector<core::Sphere> spheres;
+    for (const auto& [sphere, region] : all) spheres.push_back(sphere);
+    return spheres;
+}
+
+std::vector<core::Sphere> place_on_lattice(const core::Domain& domain, const std::vector<Wall>& walls, const std::vector<Group>& groups,
+                                           std::uint64_t seed)
+{
+    const auto all = wanted(groups);
+    std::vector<std::size_t> order(all.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return core::random_uniform(seed, std::int64_t(a), order_draw)[0] < core::random_uniform(seed, std::int64_t(b), order_draw)[0];
+    });
+    const double radius = largest_radius(groups), edge = 2.02 * radius;
+    core::Index3 count;
+    for (int a = 0; a < 3; ++a) count[a] = std::max(1, int(domain.size[a] / edge));
+    std::vector<core::Sphere> spheres(all.size());
+    std::size_t next = 0;
+    core::for_each({0, 0, 0}, count, [&](int i, int j, int k) {
+        if (next == order.size()) return;
+        core::Vec3 x((i + 0.5) * domain.size.x() / count.i, (j + 0.5) * domain.size.y() / count.j, (k + 0.5) * domain.size.z() / count.k);
+        const auto& [sphere, region] = all[order[next]];
+        if (clearance(walls, x, radius) < 0.0) return;
+        for (int a = 0; a < 3; ++a)
+            if (x[a] < region.low[a] || x[a] > region.high[a]) return;
+        // A little off the lattice, so that columns of particles do not stand on each other's heads.
+        const auto u = core::random_uniform(seed, sphere.id, order_draw + 1);
+        auto& place = spheres[order[next]];
+        place = sphere;
+        place.position = x + 0.005 * radius * core::Vec3(u[0] - 0.5, u[1] - 0.5, u[2] - 0.5);
+        ++next;
+    });
+    core::require<core::ConfigError>(next == order.size(), core::text("a lattice has room for ", next, " of ", order.size(),
+                                                                      " particles: use fewer or smaller ones, or a larger region"));
+    return spheres;
+}
+
+} // namespace physics

@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#include "physics/particles/stepper.hpp"
+#include "core/base/error.hpp"
+#include "core/particles/migration.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace physics {
+namespace {
+
+double greatest_radius(const core::ParticleSet& particles)
+{
+    double greatest = 0.0;
+    for (int i = 0; i < particles.owned; ++i) greatest = std::max(greatest, particles.radius[std::size_t(i)]);
+    return greatest;
+}
+
+} // namespace
+
+ParticleStepper::ParticleStepper(ParticleDynamics& dynamics, OwnerOf owner_of, int rank, int ranks)
+    : dynamics_(dynamics), owner_of_(std::move(owner_of)), rank_(rank), ranks_(ranks)
+{
+}
+
+void ParticleStepper::begin(const Motion& motion, int sub_steps)
+{
+    motion_ = motion;
+    sub_steps_ = sub_steps;
+    sub_step_ = -1;
+    wait_ = Wait::nothing;
+}
+
+bool ParticleStepper::work(const core::Team& team)
+{
+    switch (wait_) {
+    case Wait::nothing: // first half drift of the batch
+        if (sub_steps_ == 0) return false;
+        shared_[0] = dynamics_.start(team);
+        time_ = 0.5 * dynamics_.step();
+        sub_step_ = 0;
+        wait_ = Wait::speeds;
+        return true;
+    case Wait::speeds: after_speeds(team); break;
+    case Wait::displacement:
+        if (dynamics_.keep_lists(shared_[0])) sub_step(team);
+        else start_rebuild(team);
+        break;
+    case Wait::extent: wait_ = Wait::migrants; break;
+    case Wait::migrants: sort_particles(team); break;
+    case Wait::bin_lengths: wait_ = Wait::bins; break;
+    case Wait::bins: choose_ghosts(); break;
+    case Wait::ghost_lengths: wait_ = Wait::ghosts; break;
+    case Wait::ghosts:
+        ghosts_.adopt(exchange_.incoming, dynamics_.particles);
+        have_ghosts_ = true;
+        dynamics_.build(team);
+        sub_step(team);
+        break;
+    }
+    return wait_ != Wait::nothing;
+}
+
+void ParticleStepper::after_speeds(const core::Team& team)
+{
+    core::require<core::NumericsError>(std::isfinite(shared_[0]),
+                                       core::text("a particle has no finite speed in sub-step ", sub_step_, ": make the step smaller"));
+    dynamics_.account(shared_[0], time_);
+    if (have_ghosts_) ghosts_.take_motion(dynamics_.particles);
+    if (sub_step_ == sub_steps_) {
+        sub_steps_ = 0;
+        wait_ = Wait::nothing;
+    } else if (dynamics_.needs_check()) {
+        shared_[0] = dynamics_.displacement();
+        wait_ = Wait::displacement;
+    } else sub_step(team);
+}
+
+void ParticleStepper::sub_step(const core::Team& team)
+{
+    shared_[0] = dynamics_.advance(motion_, team, sub_step_, sub_steps_);
+    time_ = dynamics_.step();
+    ++sub_step_;
+    wait_ = Wait::speeds;
+}
+
+/// Migrants leave; meanwhile the ranks learn the extent of all particles.
+void ParticleStepper::start_rebuild(const core::Team& team)
+{
+    have_ghosts_ = false;
+    dynamics_.dissolve(team);
+    auto& particles = dynamics_.particles;
+    const auto bounds = dynamics_.bounds();
+    shared_ = {greatest_radius(particles), -bounds.low[0], -bounds.low[1], -bounds.low[2], bounds.high[0], bounds.high[1],
+               bounds.high[2]};
+    count_ = double(particles.owned);
+    exchange_.start(ranks_);
+    std::vector<int> stay;
+    for (int i = 0; i < particles.owned; ++i) {
+        const int owner = ranks_ == 1 ? 0 : owner_of_(particles.position_of(i));
+        if (owner == rank_) stay.push_back(i);
+        else core::pack_particle(particles, dynamics_.history, i, exchange_.outgoing.at(std::size_t(owner)));
+    }
+    if (int(stay.size()) < particles.owned) {
+        particles.reorder(stay);
+        dynamics_.history.reorder(stay);
+    }
+    wait_ = Wait::extent;
+}
+
+void ParticleStepper::sort_particles(const core::Team&)
+{
+    auto& particles = dynamics_.particles;
+    for (const auto& bytes : exchange_.incoming) core::unpack_particles(bytes, particles, dynamics_.history);
+    dynamics_.set_reach(shared_[0]);
+    const core::Bounds bounds{-core::Vec3(shared_[1], shared_[2], shared_[3]), core::Vec3(shared_[4], shared_[5], shared_[6])};
+    dynamics_.sort(core::make_bin_lattice(dynamics_.domain(), bounds, dynamics_.cutoff(), std::int64_t(count_)));
+    exchange_.start(ranks_);
+    if (ranks_ > 1) {
+        const auto bins = core::bins_of_interest(particles, dynamics_.lattice());
+        for (int r = 0; r < ranks_; ++r)
+            if (r != rank_) core::write_bytes(exchange_.outgoing[std::size_t(r)], std::span<const std::int64_t>(bins));
+    }
+    wait_ = Wait::bin_lengths;
+}
+
+void ParticleStepper::choose_ghosts()
+{
+    std::vector<std::vector<std::int64_t>> wanted(std::size_t(ranks_), std::vector<std::int64_t>{});
+    for (int r = 0; r < ranks_; ++r)
+        for (core::ByteReader reader(exchange_.incoming[std::size_t(r)]); !reader.empty();)
+            wanted[std::size_t(r)].push_back(reader.read<std::int64_t>());
+    ghosts_.choose(dynamics_.particles, dynamics_.lattice(), wanted);
+    exchange_.start(ranks_);
+    for (int r = 0; r < ranks_; ++r) exchange_.outgoing[std::size_t(r)] = ghosts_.describe(dynamics_.particles, r);
+    wait_ = Wait::ghost_lengths;
+}
+
+void ParticleStepper::post(const core::Communicator& communicator, core::Pending& pending)
+{
+    if (ranks_ == 1) return;
+    switch (wait_) {
+    case Wait::speeds:
+        communicator.start_max(std::span(shared_).first(1), pending);
+        if (have_ghosts_) ghosts_.post_motion(dynamics_.particles, communicator, pending);
+        break;
+    case Wait::displacement: communicator.start_max(std::span(shared_).first(1), pending); break;
+    case Wait::extent:
+        communicator.start_max(shared_, pending);
+        communicator.start_sum(std::span(&count_, 1), pending);
+        exchange_.post_lengths(communicator, pending);
+        break;
+    case Wait::bin_lengths:
+    case Wait::ghost_lengths: exchange_.post_lengths(communicator, pending); break;
+    case Wait::migrants:
+    case Wait::bins:
+    case Wait::ghosts: exchange_.post_data(communicator, pending); break;
+    case Wait::nothing: break;
+    }
+}
+
+} // namespace physics

@@ -9,22 +9,6 @@
 #include <cmath>
 
 namespace physics {
-namespace {
-
-/// Blocks of this rank on both levels, matched by their ids.
-void match_blocks(MultigridLevel& fine, MultigridLevel& coarse)
-{
-    coarse.fine_block.assign(std::size_t(coarse.mesh.layout.blocks()), -1);
-    for (core::LocalBlock b = 0; b < fine.mesh.layout.blocks(); ++b) {
-        const auto ids = coarse.mesh.layout.ids();
-        const auto at = std::lower_bound(ids.begin(), ids.end(), fine.mesh.layout.id(b)) - ids.begin();
-        fine.coarse_block.push_back(int(at));
-        coarse.fine_block[std::size_t(at)] = b;
-    }
-}
-
-} // namespace
-
 Multigrid::Multigrid(const BlockTopology& topology, const MultigridOptions& options, const core::Communicator& communicator)
     : options_(options), weights_(chebyshev_weights(2.0, options.spectrum_ratio))
 {
@@ -41,9 +25,8 @@ Multigrid::Multigrid(const BlockTopology& topology, const MultigridOptions& opti
         if (gathers) next = replicated(next, communicator, coarse_link);
         levels_.back().mesh.coarse_link = std::move(coarse_link);
         levels_.push_back(make_multigrid_level(next, options.shifted));
-        make_transfer(levels_.back());
         if (gathers) levels_.back().owner = topology.owner;
-        match_blocks(levels_[levels_.size() - 2], levels_.back());
+        tie_levels(levels_[levels_.size() - 2], levels_.back());
         split = split && !gathers;
         level = std::move(next);
     }

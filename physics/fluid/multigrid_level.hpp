@@ -18,6 +18,12 @@ enum class Smoother {
     line
 };
 
+/// Flat places, on the finer level, of the children next to the side of a run.
+struct SideChildren {
+    int count = 0;
+    std::array<int, 4> at{};
+};
+
 struct MultigridLevel {
     explicit MultigridLevel(LevelMesh m) : mesh(std::move(m)) {}
 
@@ -34,6 +40,7 @@ struct MultigridLevel {
     std::array<std::vector<float>, 6> side_part;  ///< residual that goes to the neighbour beyond each side
     std::vector<float> half_part;                 ///< residual that goes beyond a half link
     std::vector<float> half_received;             ///< the same from partners on other ranks
+    std::vector<SideChildren> side_children;      ///< of each run whose block has a finer one here
     std::vector<int> owner;        ///< rank of each block, only on the first level that every rank holds as a whole
     std::vector<int> fine_block;   ///< block of the next finer level, -1 where that is not on this rank
     std::vector<int> coarse_block; ///< block of the next coarser level
@@ -46,13 +53,13 @@ struct MultigridLevel {
                         + of(mesh.half_of) + of(mesh.runs) + of(mesh.coarse_link);
         for (const auto& f : matrix.face) sum += of(f);
         for (std::size_t n = 0; n < 6; ++n) sum += of(weight[n]) + of(side_part[n]);
-        sum += of(half_weight) + of(half_part) + of(half_received);
+        sum += of(half_weight) + of(half_part) + of(half_received) + of(side_children);
         return sum;
     }
 };
 
 [[nodiscard]] MultigridLevel make_multigrid_level(const BlockTopology& topology, bool with_shift);
-/// Memory for the transfer to and from a finer level.
-void make_transfer(MultigridLevel& level);
+/// Ties a level to the next coarser one: blocks by their ids, memory for the transfer.
+void tie_levels(MultigridLevel& fine, MultigridLevel& coarse);
 
 } // namespace physics

@@ -62,21 +62,6 @@ struct ChildSums {
     }
 };
 
-/// The children next to the side of a run: box [low, high) of fine cells, empty if the axis was not halved there.
-struct ChildBox {
-    core::Index3 low, high;
-};
-ChildBox children_beside(core::Extents coarse, core::Extents fine, const SideRun& run)
-{
-    const auto place = cell_place(coarse, run.cell);
-    const int axis = axis_of(run.side), n = fine[axis];
-    const core::Index3 low{2 * place.i, 2 * place.j, 2 * place.k};
-    ChildBox box{low, {std::min(low.i + 2, fine.ni), std::min(low.j + 2, fine.nj), std::min(low.k + 2, fine.nk)}};
-    box.low[axis] = is_high(run.side) ? n - 1 : 0;
-    box.high[axis] = box.low[axis] + (n == 1 || (is_high(run.side) && n % 2 != 0) ? 0 : 1);
-    return box;
-}
-
 /// Sums of the residuals of the children of a piece of the coarse level.
 void sum_children(const Piece& piece, const MultigridLevel& fine, core::LocalBlock fine_block, MultigridLevel& coarse)
 {
@@ -103,23 +88,21 @@ void sum_children(const Piece& piece, const MultigridLevel& fine, core::LocalBlo
 }
 
 /// Residual that goes beyond the sides of a block.
-void sum_beside_links(const MultigridLevel& fine, core::LocalBlock fine_block, core::LocalBlock block, MultigridLevel& coarse)
+void sum_beside_links(const MultigridLevel& fine, core::LocalBlock block, MultigridLevel& coarse)
 {
     const auto& mesh = coarse.mesh;
-    const auto below = fine.mesh.layout.cells(fine_block);
-    const core::View<const float> r(fine.residual.data() + fine.mesh.layout.origin(fine_block), below, 0);
     for (int n = mesh.block_runs[std::size_t(block)]; n < mesh.block_runs[std::size_t(block) + 1]; ++n) {
         const auto& run = mesh.runs[std::size_t(n)];
-        const auto box = children_beside(mesh.layout.cells(block), below, run);
+        const auto& children = coarse.side_children[std::size_t(n)];
         float sum = 0.0F;
-        core::for_each(box.low, box.high, [&](int i, int j, int k) { sum += r(i, j, k); });
+        for (int c = 0; c < children.count; ++c) sum += fine.residual[std::size_t(children.at[std::size_t(c)])];
         for (int h = run.first; h < run.last; ++h)
             coarse.half_part[std::size_t(h)] = coarse.half_weight[std::size_t(h)] * sum;
     }
 }
 
 /// Adds to the children next to a side what the neighbours beyond it change.
-void correct_beside_links(const MultigridLevel& coarse, core::LocalBlock block, core::View<float> x)
+void correct_beside_links(const MultigridLevel& coarse, core::LocalBlock block, std::vector<float>& x)
 {
     const auto& mesh = coarse.mesh;
     for (int n = mesh.block_runs[std::size_t(block)]; n < mesh.block_runs[std::size_t(block) + 1]; ++n) {
@@ -130,8 +113,8 @@ void correct_beside_links(const MultigridLevel& coarse, core::LocalBlock block, 
             change += coarse.half_weight[std::size_t(h)]
                     * (coarse.solution[std::size_t(half.other)] - coarse.solution[std::size_t(half.cell)]);
         }
-        const auto box = children_beside(mesh.layout.cells(block), x.extents(), run);
-        core::for_each(box.low, box.high, [&](int i, int j, int k) { x(i, j, k) += change; });
+        const auto& children = coarse.side_children[std::size_t(n)];
+        for (int c = 0; c < children.count; ++c) x[std::size_t(children.at[std::size_t(c)])] += change;
     }
 }
 
@@ -152,7 +135,7 @@ void gather_children(const core::Team& team, const MultigridLevel& fine, Multigr
         const auto b = coarse.fine_block[std::size_t(piece.block)];
         if (b < 0) return;
         sum_children(piece, fine, b, coarse);
-        if (piece.part == 0) sum_beside_links(fine, b, piece.block, coarse);
+        if (piece.part == 0) sum_beside_links(fine, piece.block, coarse);
     });
 }
 
@@ -209,8 +192,7 @@ void prolong_correction(const core::Team& team, const MultigridLevel& coarse, Mu
         }
     });
     team.run(layout.blocks(), [&](int b) {
-        const core::View<float> x(fine.solution.data() + layout.origin(b), layout.cells(b), 0);
-        correct_beside_links(coarse, fine.coarse_block[std::size_t(b)], x);
+        correct_beside_links(coarse, fine.coarse_block[std::size_t(b)], fine.solution);
     });
 }
 

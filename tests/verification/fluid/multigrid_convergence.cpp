@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 // Iterations of the multigrid-preconditioned solver: independent of resolution, aspect ratio and cutting into blocks.
-#include "tests/support/conduction_boxes.hpp"
+#include "tests/support/conduction_pipe.hpp"
 #include <doctest/doctest.h>
 
 namespace {
@@ -71,4 +71,10 @@ TEST_CASE("jumps of 1e3 between neighbouring cells are no obstacle")
     // Islands of high conductivity that coarse cells cut are the worst case of series-parallel coarsening.
     const auto islands = [](double x, double y, double z) { return test::bed_and_spheres(x, y, z) == 0.36 ? 1.0 : 1e-3; };
     CHECK(iterations("islands 1e3", test::box_problem(cube(32), islands)) <= 60);
+}
+
+TEST_CASE("a pipe on a butterfly grid takes at most 20 iterations at any resolution")
+{
+    for (int size : {1, 2}) CHECK(iterations("pipe", test::pipe_problem(size)) <= 20);
+    CHECK(iterations("pipe, thin cells at the wall", test::pipe_problem(1, 20.0)) <= 20);
 }

@@ -34,6 +34,7 @@ public:
     [[nodiscard]] FluidState& state() { return state_; }
     [[nodiscard]] const FluidState& state() const { return state_; }
     [[nodiscard]] FluidFields& fields() { return fields_; }
+    [[nodiscard]] const FluidFields& fields() const { return fields_; }
     [[nodiscard]] const std::vector<BlockWalls>& walls() const { return walls_; }
     [[nodiscard]] PressureSystem& pressure_system() { return pressure_system_; }
     [[nodiscard]] const ViscositySystem* viscosity_system() const { return viscosity_system_.get(); }

@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#include "io/world.hpp"
+#include "io/grid_builder.hpp"
+#include "io/physics_builder.hpp"
+#include "io/world_grains.hpp"
+#include "physics/particles/advance.hpp"
+#include <cmath>
+
+namespace io {
+namespace {
+
+tasks::Layout layout_of(const core::Mesh& mesh)
+{
+    tasks::Layout layout;
+    for (const core::Extents e : mesh.own_cells()) layout.cells.push_back(e.size());
+    return layout;
+}
+
+/// The cell that holds the middle of the low end of the drive's axis.
+std::optional<core::Location> axis_cell(const core::Mesh& mesh, const Grid& grid, const core::Vec3& direction)
+{
+    const core::Vec3 middle = 0.5 * (grid.low() + grid.high());
+    const core::Vec3 end = middle - 0.5 * (grid.high() - grid.low()).cwiseProduct(direction.cwiseAbs()) * (1 - 1e-9);
+    return core::Locator(mesh).find(end);
+}
+
+} // namespace
+
+World::World(const Scene& scene, const core::Communicator& ranks)
+    : scene_(scene), ranks_(ranks), mesh_(make_blocks(scene.grid), ranks.rank(), ranks.size()),
+      halos_(mesh_, ranks_, core::HaloShape::full), graph_(layout_of(mesh_), ranks_)
+{
+    graph_.fill_halos_with(halos_);
+    if (scene_.fluid) {
+        fluid_.emplace(mesh_, ranks_, halos_, fluid_parameters(scene_));
+        const core::Vec3 direction = physics::drive_direction(fluid_->parameters().drive);
+        if (direction.norm() > 0) axis_ = axis_cell(mesh_, scene_.grid, direction);
+    }
+    if (!scene_.particles.empty()) make_grains();
+    if (fluid_ && grains_) make_coupling();
+}
+
+void World::make_grains()
+{
+    locator_.emplace(mesh_);
+    grains_.emplace(make_dynamics(scene_));
+    const core::Vec3 origin = grains_->domain().origin;
+    const physics::OwnerOf owner_of = [this, origin](const core::Vec3& x) {
+        const auto at = locator_->find(x + origin);
+        return at ? mesh_.owner(at->block) : 0;
+    };
+    add_initial_particles(scene_, owner_of, ranks_.rank(), *grains_);
+    stepper_.emplace(*grains_, owner_of, ranks_.rank(), ranks_.size());
+}
+
+void World::make_coupling()
+{
+    const physics::CouplingParameters parameters = coupling_parameters(scene_);
+    coupling_.emplace(mesh_, ranks_, halos_, *fluid_, *grains_, *stepper_, parameters);
+    mode_reason_ = "pipelined: the grains' impulse is exchanged at the end of their sub-steps";
+}
+
+void World::settle(const core::Team& team)
+{
+    if (!grains_ || scene_.run.settle <= 0) return;
+    const int sub_steps = int(std::ceil(scene_.run.settle / grains_->step()));
+    const physics::DryMotion motion{settling_gravity(scene_)};
+    physics::settle(*stepper_, motion, sub_steps, team, ranks_.duplicate());
+}
+
+void World::declare()
+{
+    if (coupling_) {
+        coupling_->declare(graph_);
+    } else if (fluid_) {
+        fluid_->declare(graph_);
+    } else if (grains_) {
+        dry_grains_.emplace("grains", *grains_);
+        graph_.whole(
+            "move grains",
+            [this](tasks::Lane& lane, physics::ParticleDynamics&) -> tasks::Job {
+                stepper_->begin(physics::DryMotion{gravity_of(scene_)}, sub_steps_);
+                while (stepper_->work(lane.team())) {
+                    core::Pending pending;
+                    {
+                        const auto mpi = lane.messages();
+                        stepper_->post(lane.communicator(), pending);
+                    }
+                    co_await lane.arrive(pending);
+                }
+            },
+            tasks::updates(*dry_grains_));
+        graph_.sink(*dry_grains_);
+    }
+}
+
+const tasks::Plan& World::compile()
+{
+    declare();
+    plan_.emplace(graph_.compile({"budget"}));
+    if (coupling_)
+        tasks::run(ranks_, core::SerialTeam(), [&](tasks::Lane& lane) { return coupling_->initialise(lane); });
+    return *plan_;
+}
+
+void World::step(tasks::Executor& executor)
+{
+    auto& now = clock();
+    now.dt = next_step();
+    if (coupling_) coupling_->sub_steps = sub_steps_;
+    executor.run_step(now.step);
+    now.advance();
+    if (fluid_ && axis_ && physics::turn_if_due(fluid_->parameters().drive, axis_speed(), now.time, now.drive)) now.steps_since_jump = 0;
+}
+
+double World::axis_speed() const
+{
+    if (!axis_) return 0.0;
+    const core::Vec3 direction = physics::drive_direction(fluid_->parameters().drive);
+    double speed = 0.0;
+    if (const core::LocalBlock b = mesh_.local(axis_->block); b >= 0) {
+        const auto u = fluid_->state().velocity.on(b);
+        speed = direction.dot(core::Vec3(u.x[axis_->cell], u.y[axis_->cell], u.z[axis_->cell]));
+    }
+    ranks_.sum(std::span(&speed, 1));
+    return speed;
+}
+
+} // namespace io

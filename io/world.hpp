@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// A scene come to life on this rank: mesh, fluid, grains, their coupling, and the graph of the stages that make a step.
+// What the scene does not name is not there.
+#include "io/scene.hpp"
+#include "physics/steps/coupled_step.hpp"
+#include "tasks/exchange_filler.hpp"
+#include "tasks/executor.hpp"
+
+namespace io {
+
+class World {
+public:
+    /// Collective. @throws core::ConfigError for a scene that cannot be computed.
+    World(const Scene& scene, const core::Communicator& ranks);
+    World(const World&) = delete;
+    World& operator=(const World&) = delete;
+
+    [[nodiscard]] const Scene& scene() const { return scene_; }
+    [[nodiscard]] const core::Mesh& mesh() const { return mesh_; }
+    [[nodiscard]] const core::Communicator& ranks() const { return ranks_; }
+    [[nodiscard]] physics::FluidStep* fluid() { return fluid_ ? &*fluid_ : nullptr; }
+    [[nodiscard]] const physics::FluidStep* fluid() const { return fluid_ ? &*fluid_ : nullptr; }
+    [[nodiscard]] physics::ParticleDynamics* grains() { return grains_ ? &*grains_ : nullptr; }
+    [[nodiscard]] const physics::ParticleDynamics* grains() const { return grains_ ? &*grains_ : nullptr; }
+    [[nodiscard]] physics::CoupledStep* coupling() { return coupling_ ? &*coupling_ : nullptr; }
+    [[nodiscard]] const physics::CoupledStep* coupling() const { return coupling_ ? &*coupling_ : nullptr; }
+
+    [[nodiscard]] double time() const { return clock().time; }
+    [[nodiscard]] const physics::FluidClock& clock() const { return fluid_ ? fluid_->state().clock : dry_clock_; }
+    [[nodiscard]] physics::FluidClock& clock() { return fluid_ ? fluid_->state().clock : dry_clock_; }
+    /// Sub-steps of the grains in the last step; 0 without grains.
+    [[nodiscard]] int sub_steps() const { return sub_steps_; }
+    /// Why the coupling has its mode; empty without coupling.
+    [[nodiscard]] const std::string& mode_reason() const { return mode_reason_; }
+
+    /// Grains alone, with their weight in the fluid, for scene.run.settle. Collective.
+    void settle(const core::Team& team);
+    /// Compiles the stages; call once, after settle() or after the state has been read. Collective.
+    const tasks::Plan& compile();
+    /// One step of at most the time that the limits allow. Collective. @throws tasks::StepFailure
+    void step(tasks::Executor& executor);
+    /// The length of the next step [s]. Collective.
+    [[nodiscard]] double next_step();
+    /// Speed along the drive on the axis of the domain [m/s]. Collective.
+    [[nodiscard]] double axis_speed() const;
+
+private:
+    void make_grains();
+    void make_coupling();
+    void declare();
+    [[nodiscard]] double fluid_limit() const;
+
+    Scene scene_;
+    core::Communicator ranks_;
+    core::Mesh mesh_;
+    tasks::ExchangeFiller halos_;
+    tasks::StageGraph graph_;
+    std::optional<core::Locator> locator_;
+    std::optional<physics::FluidStep> fluid_;
+    std::optional<physics::ParticleDynamics> grains_;
+    std::optional<physics::ParticleStepper> stepper_;
+    std::optional<physics::CoupledStep> coupling_;
+    std::optional<tasks::Part<physics::ParticleDynamics>> dry_grains_;
+    std::optional<tasks::Plan> plan_;
+    physics::FluidClock dry_clock_; ///< of a scene without fluid
+    std::optional<core::Location> axis_;
+    std::string mode_reason_;
+    int sub_steps_ = 0;
+};
+
+} // namespace io

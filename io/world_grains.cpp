@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#include "io/world_grains.hpp"
+#include "io/grid_builder.hpp"
+#include "io/physics_builder.hpp"
+#include "physics/particles/insertion.hpp"
+#include "physics/particles/time_step.hpp"
+#include <algorithm>
+#include <numbers>
+
+namespace io {
+namespace {
+
+double mass_of(const Species& s) { return std::numbers::pi / 6 * std::pow(s.diameter, 3) * s.density; }
+
+/// A share of the shortest contact, within what is stable.
+double sub_step(const Scene& scene, const physics::ParticleParameters& parameters)
+{
+    double lightest = std::numeric_limits<double>::infinity();
+    for (const Species& s : scene.particles) lightest = std::min(lightest, mass_of(s));
+    core::ParticleSet one;
+    core::Sphere sphere;
+    sphere.density = 1.0;
+    sphere.radius = std::cbrt(0.75 * lightest / std::numbers::pi);
+    one.add(sphere);
+    const physics::StepLimits limits = physics::step_limits(one, parameters);
+    return physics::choose_step(limits, limits.contact_time / scene.contact->steps_per_contact);
+}
+
+physics::Region region_of(const Initial& initial, const core::Domain& domain)
+{
+    const core::Vec3 low = initial.low ? core::Vec3(*initial.low - domain.origin) : core::Vec3(core::Vec3::Zero());
+    const core::Vec3 high = initial.high ? core::Vec3(*initial.high - domain.origin) : domain.size;
+    return {low, high};
+}
+
+std::vector<physics::Group> groups_of(const Scene& scene, const core::Domain& domain)
+{
+    std::vector<physics::Group> groups;
+    for (const Species& s : scene.particles) {
+        physics::Group group;
+        group.like.radius = s.diameter / 2;
+        group.like.density = s.density;
+        group.like.velocity = s.initial.velocity;
+        group.like.species = std::int32_t(groups.size());
+        group.count = s.count;
+        group.region = region_of(s.initial, domain);
+        groups.push_back(group);
+    }
+    return groups;
+}
+
+bool wanted(Switch choice, bool otherwise) { return choice == Switch::automatic ? otherwise : choice == Switch::on; }
+
+} // namespace
+
+physics::ParticleDynamics make_dynamics(const Scene& scene)
+{
+    const physics::ParticleParameters parameters = particle_parameters(scene);
+    return {make_domain(scene.grid), parameters, primitive_walls(scene.grid), sub_step(scene, parameters)};
+}
+
+void add_initial_particles(const Scene& scene, const physics::OwnerOf& owner_of, int rank, physics::ParticleDynamics& dynamics)
+{
+    const bool random = scene.particles.front().initial.arrangement == Arrangement::random;
+    const auto place = random ? physics::place_at_random : physics::place_on_lattice;
+    const auto spheres = place(dynamics.domain(), primitive_walls(scene.grid), groups_of(scene, dynamics.domain()), std::uint64_t(scene.run.random_seed));
+    for (const core::Sphere& sphere : spheres)
+        if (owner_of(sphere.position) == rank) {
+            dynamics.particles.add(sphere);
+            dynamics.history.end_row();
+        }
+}
+
+core::Vec3 settling_gravity(const Scene& scene)
+{
+    const core::Vec3 gravity = gravity_of(scene);
+    if (!scene.fluid) return gravity;
+    double mass = 0, volume = 0;
+    for (const Species& s : scene.particles) {
+        mass += s.count * mass_of(s);
+        volume += s.count * mass_of(s) / s.density;
+    }
+    return (1 - scene.fluid->material.density * volume / mass) * gravity;
+}
+
+physics::CouplingParameters coupling_parameters(const Scene& scene)
+{
+    const Coupling coupling = scene.coupling.value_or(Coupling{});
+    const bool seed = coupling.preset == CouplingPreset::seed;
+    double lightest_ratio = std::numeric_limits<double>::infinity();
+    for (const Species& s : scene.particles) lightest_ratio = std::min(lightest_ratio, s.density / scene.fluid->material.density);
+    constexpr double heavy = 150; // above it added mass is below 1 % (NUMERICS E)
+    physics::CouplingParameters p;
+    p.fluid_density = scene.fluid->material.density;
+    p.viscosity = scene.fluid->material.viscosity * p.fluid_density;
+    p.gravity = gravity_of(scene);
+    p.drag = coupling.chosen_drag() == DragLaw::seed ? physics::DragLaw::gidaspow : physics::DragLaw::di_felice;
+    p.added_mass = wanted(coupling.added_mass, lightest_ratio < heavy) ? 0.5 : 0.0;
+    p.lift = wanted(coupling.lift, seed || lightest_ratio < heavy);
+    p.torque = wanted(coupling.torque, true);
+    p.filter_width = coupling.filter.in_diameters ? coupling.filter.value * mean_diameter(scene) : coupling.filter.value;
+    return p;
+}
+
+} // namespace io

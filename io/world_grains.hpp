@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// The particles of a scene: their laws, their walls, their places at the start.
+#include "io/scene.hpp"
+#include "physics/coupling/parameters.hpp"
+#include "physics/particles/stepper.hpp"
+
+namespace io {
+
+/// The dynamics without particles, with the sub-step that the contacts allow.
+[[nodiscard]] physics::ParticleDynamics make_dynamics(const Scene& scene);
+
+/// Places all particles and keeps those of this rank.
+void add_initial_particles(const Scene& scene, const physics::OwnerOf& owner_of, int rank, physics::ParticleDynamics& dynamics);
+
+/// Gravity less buoyancy of the mean particle density: the weight under which a bed settles before the fluid is there [m/s2].
+[[nodiscard]] core::Vec3 settling_gravity(const Scene& scene);
+
+/// @pre scene.fluid and particles
+[[nodiscard]] physics::CouplingParameters coupling_parameters(const Scene& scene);
+
+} // namespace io

@@ -195,9 +195,19 @@ double power_of_two_scale(double largest)
     return std::ldexp(1.0, -std::ilogb(largest));
 }
 
-void run_steps(const core::Team& team, Multigrid& multigrid, std::span<const MultigridStep> steps)
+void run_steps(const core::Team& team, const core::Communicator& communicator, Multigrid& multigrid,
+               std::span<const MultigridStep> steps)
 {
-    for (const auto& step : steps) multigrid.run(team, step);
+    for (const auto& step : steps) {
+        if (!step.sends()) {
+            multigrid.run(team, step);
+            continue;
+        }
+        core::Pending pending;
+        multigrid.start(step, communicator, pending);
+        pending.wait();
+        multigrid.complete(step, communicator);
+    }
 }
 
 } // namespace physics

@@ -93,7 +93,8 @@ private:
 /// The power of two that brings `largest` into [1, 2); 1 for 0.
 [[nodiscard]] double power_of_two_scale(double largest);
 
-/// Runs all steps on one rank.
-void run_steps(const core::Team& team, Multigrid& multigrid, std::span<const MultigridStep> steps);
+/// Runs all steps and waits for messages on the spot: for one rank, and for set-ups outside the task graph. Collective.
+void run_steps(const core::Team& team, const core::Communicator& communicator, Multigrid& multigrid,
+               std::span<const MultigridStep> steps);
 
 } // namespace physics

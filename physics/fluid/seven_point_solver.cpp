@@ -9,7 +9,7 @@ namespace physics {
 
 SevenPointSolver::SevenPointSolver(const BlockTopology& topology, const MultigridOptions& options,
                                    const core::Communicator& communicator)
-    : multigrid_(topology, options, communicator), matrix_(make_seven_point<double>(multigrid_.mesh(), options.shifted)),
+    : communicator_(communicator), multigrid_(topology, options, communicator), matrix_(make_seven_point<double>(multigrid_.mesh(), options.shifted)),
       workspace_(multigrid_.mesh().layout, int(topology.cells.size()), cell_count(topology))
 {
 }
@@ -23,8 +23,10 @@ void SevenPointSolver::copy(const core::Team& team, const Coefficients& coeffici
 void SevenPointSolver::set_up(const core::Team& team, const Coefficients& coefficients)
 {
     copy(team, coefficients);
-    load(team, largest_coefficient(mesh(), matrix_));
-    run_steps(team, multigrid_, multigrid_.set_up_steps());
+    double largest = largest_coefficient(mesh(), matrix_);
+    communicator_.max(std::span(&largest, 1));
+    load(team, largest);
+    run_steps(team, communicator_, multigrid_, multigrid_.set_up_steps());
 }
 
 void SevenPointSolver::apply(const core::Team& team, std::span<const double> in, std::span<double> out) const
@@ -35,7 +37,7 @@ void SevenPointSolver::apply(const core::Team& team, std::span<const double> in,
 void SevenPointSolver::precondition(const core::Team& team, std::span<const double> in, std::span<double> out)
 {
     multigrid_.load_right(team, in, right_scale_);
-    run_steps(team, multigrid_, multigrid_.cycle_steps());
+    run_steps(team, communicator_, multigrid_, multigrid_.cycle_steps());
     multigrid_.store_solution(team, out);
 }
 

@@ -29,7 +29,7 @@ public:
     /// @param largest  Magnitude of all ranks.
     void expect_right(double largest) { right_scale_ = power_of_two_scale(largest); }
     [[nodiscard]] double right_scale() const { return right_scale_; }
-    /// Copies the coefficients and sets up the multigrid, on one rank.
+    /// Copies the coefficients and sets up the multigrid, waiting for messages on the spot. Collective.
     void set_up(const core::Team& team, const Coefficients& coefficients);
     /// out = A in; ghosts of `in` must be up to date.
     void apply(const core::Team& team, std::span<const double> in, std::span<double> out) const;
@@ -40,6 +40,7 @@ public:
     KrylovReport solve(const core::Team& team, const KrylovOptions& options, std::span<double> right, std::span<double> x);
 
 private:
+    core::Communicator communicator_;
     Multigrid multigrid_;
     SevenPoint<double> matrix_;
     KrylovWorkspace workspace_;

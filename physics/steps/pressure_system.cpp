@@ -4,6 +4,7 @@
 #include "physics/fluid/cell_loops.hpp"
 #include "physics/fluid/face_flux.hpp"
 #include "physics/steps/krylov_job.hpp"
+#include "physics/steps/pressure_solve.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -28,7 +29,7 @@ void set_up(const core::Mesh& mesh, int rank, SevenPointSolver& solver)
 
 PressureSystem::PressureSystem(const SystemContext& context, const core::Communicator& ranks, const FluidTolerances& tolerances)
     : context_(context), tolerances_(tolerances),
-      solver_(make_mesh_links(context.mesh, ranks.rank(), BehindWalls::nothing).topology, MultigridOptions{}),
+      solver_(make_mesh_links(context.mesh, ranks.rank(), BehindWalls::nothing).topology, MultigridOptions{}, ranks),
       unknown_(context, solver_.layout(), "pressure impulse"), right_(solver_.layout().size(), 0.0),
       solution_(solver_.layout().size(), 0.0), norms_(std::size_t(context.mesh.blocks()))
 {
@@ -47,8 +48,7 @@ tasks::Job PressureSystem::apply(tasks::Lane& lane, std::span<const double> in, 
 
 tasks::Job PressureSystem::precondition(tasks::Lane& lane, std::span<const double> in, std::span<double> out)
 {
-    solver_.precondition(lane.team(), in, out);
-    co_return;
+    co_await physics::precondition(lane, solver_, in, out);
 }
 
 tasks::Job PressureSystem::solve(tasks::Lane& lane, const core::ScalarField& outflow, const core::ScalarField& throughput,
@@ -63,6 +63,7 @@ tasks::Job PressureSystem::solve(tasks::Lane& lane, const core::ScalarField& out
     });
     co_await lane.sum(norms_);
     const double norm = std::sqrt(std::accumulate(norms_.begin(), norms_.end(), 0.0));
+    solver_.expect_right(norm);
     KrylovOptions options;
     options.relative = 1e-13; // round-off: the tolerance proper is absolute
     options.absolute = tolerances_.pressure * norm;

@@ -25,7 +25,11 @@ double source(int block, std::ptrdiff_t n, std::ptrdiff_t size)
     return (2 * n < size ? 1.0 : -1.0) * (1.0 + 0.3 * double((mirrored * 7919 + block * 104729) % 1000) / 1000.0);
 }
 
-Solution solve(const test::ConductionProblem& p, const core::Communicator& communicator, physics::MultigridOptions options)
+/// Set up inside the lane that solves, or before it.
+enum class SetUp { inside, outside };
+
+Solution solve(const test::ConductionProblem& p, const core::Communicator& communicator, physics::MultigridOptions options,
+               SetUp set_up)
 {
     physics::SevenPointSolver solver(p.topology, options, communicator);
     const auto& layout = solver.layout();
@@ -35,8 +39,9 @@ Solution solve(const test::ConductionProblem& p, const core::Communicator& commu
             right[std::size_t(layout.origin(b) + c)] = source(layout.id(b), c, layout.cells(b).size());
     Solution s;
     const physics::KrylovOptions krylov{.most_iterations = 500, .singular = options.singular};
+    if (set_up == SetUp::outside) solver.set_up(serial, p.coefficients(options.shifted));
     tasks::run(communicator, serial, [&](tasks::Lane& lane) -> tasks::Job {
-        co_await physics::set_up(lane, solver, p.coefficients(options.shifted));
+        if (set_up == SetUp::inside) co_await physics::set_up(lane, solver, p.coefficients(options.shifted));
         co_await physics::solve(lane, solver, krylov, right, x, s.report);
     });
     s.blocks.resize(p.topology.cells.size());
@@ -51,11 +56,13 @@ void check_same_bits(const test::ConductionProblem& whole, const physics::Multig
     const auto world = core::Communicator::world().duplicate();
     std::vector<int> owner;
     for (std::size_t b = 0; b < whole.topology.cells.size(); ++b) owner.push_back(int(b % std::size_t(world.size())));
-    const auto alone = solve(whole, core::Communicator::self(), options);
-    const auto together = solve(test::part_of(whole, owner, world.rank()), world, options);
-    CHECK(together.report.residuals == alone.report.residuals);
-    for (std::size_t b = 0; b < owner.size(); ++b)
-        if (owner[b] == world.rank()) CHECK(together.blocks[b] == alone.blocks[b]);
+    const auto alone = solve(whole, core::Communicator::self(), options, SetUp::inside);
+    for (const auto set_up : {SetUp::inside, SetUp::outside}) {
+        const auto together = solve(test::part_of(whole, owner, world.rank()), world, options, set_up);
+        CHECK(together.report.residuals == alone.report.residuals);
+        for (std::size_t b = 0; b < owner.size(); ++b)
+            if (owner[b] == world.rank()) CHECK(together.blocks[b] == alone.blocks[b]);
+    }
     MESSAGE("rank " << world.rank() << ": " << alone.report.iterations << " iterations");
 }
 

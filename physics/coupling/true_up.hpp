@@ -34,4 +34,12 @@ struct SampledChange {
     return -density * fraction_change * velocity_advected;
 }
 
+/// Ledger of any advection: what flux form would have kept, less what the new fluid mass carries at u^a [N s/m3].
+/// @param kept        rho phi^n u^n - dt div(F rho u), the momentum of a conservative advection [N s/m3].
+/// @param fluid_mass  rho phi^{n+1} [kg/m3].
+[[nodiscard]] inline double conserved_ledger(double kept, double fluid_mass, double velocity_advected)
+{
+    return kept - fluid_mass * velocity_advected;
+}
+
 } // namespace physics

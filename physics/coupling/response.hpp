@@ -26,7 +26,8 @@
 //     (Total volume flux phi u + solid flux is free of divergence at n+1; the factor mobility stands on the faces.)
 //  6. True-up per grain (true_up.hpp): what the fluid gave beyond J is owed and delivered evenly over the next interval.
 //  7. Ledger per cell: what the fluid is still owed, added in 4 of the next step: flux-form defect of the advection
-//        L = - rho (phi^{n+1} - phi^n + dt div F) u^a,  F the volume flux of the fluid at n   (advective-form schemes)
+//        L = rho phi^n u^n - dt div(F rho u) - rho phi^{n+1} u^a,  F the volume flux of the fluid at n, u as advected
+//     (conserved_ledger; for an advective form implicit in u^a this is - rho (phi^{n+1} - phi^n + dt div F) u^a)
 //     and, in `coarse` and `concurrent`, + put(J predicted - J real).
 // `iterated` repeats 2-6 from state n with u, Dudt and G of the last pass in place of those of state n: then r of step 4 has
 // rho phi (u^a - u_used), and miss = u_used - u^a - dt Dudt_used. `coarse` takes J, v, h in 3-5 from a DEM pass of longer

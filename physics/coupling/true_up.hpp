@@ -27,7 +27,7 @@ struct SampledChange {
          - projection_response.flux * dt * at.force_change;
 }
 
-/// Ledger of an advective-form advection: the fluid mass that the moving bed displaced carries u^a [N s/m3].
+/// Ledger of an advective form that is implicit in u^a (others: conserved_ledger): the fluid mass that the moving bed displaced carries u^a [N s/m3].
 /// @param fraction_change  phi^{n+1} - phi^n + dt div F, F the fluid's volume flux at n [-].
 [[nodiscard]] inline double advection_ledger(double density, double fraction_change, double velocity_advected)
 {

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/base/error.hpp"
+#include "physics/coupling/contact_share.hpp"
+#include "physics/coupling/mode.hpp"
+#include "physics/coupling/response.hpp"
+
+#include <Eigen/LU>
+#include <doctest/doctest.h>
+
+using physics::Mode;
+
+TEST_CASE("the response of a cell equals the solution of its coupled equations")
+{
+    // Fluid and two unlike free grains: (F + k1 + k2) du - k1 dv1 - k2 dv2 = dt phi, (m + k) dv - k du = dt V.
+    const physics::GrainCoupling one{1.2, 0.2, 0.7, 0.1}, two{0.5, 0.1, 9.0, 0.05};
+    const double phi = 0.7, fluid = 0.7, dt = 0.01, k1 = 0.8, k2 = 9.05;
+    Eigen::Matrix3d matrix;
+    matrix << fluid + k1 + k2, -k1, -k2, -k1, 1.2 + k1, 0.0, -k2, 0.0, 0.5 + k2;
+    const Eigen::Vector3d exact = matrix.inverse() * Eigen::Vector3d(dt * phi, dt * 0.2, dt * 0.1);
+    const auto a = physics::grain_response(one, 1.0), b = physics::grain_response(two, 1.0);
+    const physics::GrainResponse sum{a.reaction + b.reaction, a.flux + b.flux, a.displaced + b.displaced, 0.0, 0.0};
+    const auto found = physics::cell_response(fluid, phi, sum, dt);
+    CHECK(found.velocity == doctest::Approx(exact[0]).epsilon(1e-12));
+    CHECK(found.mobility == doctest::Approx(phi * exact[0] + 0.2 * exact[1] + 0.1 * exact[2]).epsilon(1e-12));
+}
+
+TEST_CASE("a held grain takes the full drag and gives no way; a share outside 0..1 is clipped")
+{
+    const auto held = physics::grain_response({1.0, 0.3, 5.0, 0.0}, 0.0);
+    CHECK(held.reaction == 5.0);
+    CHECK(held.flux == 0.0);
+    CHECK(held.displaced == 0.0);
+    CHECK(physics::contact_share(-2.0, 2.0) == 1.0);
+    CHECK(physics::contact_share(-9.0, 2.0) == 1.0);
+    CHECK(physics::contact_share(1.0, 2.0) == 0.0);
+    CHECK(physics::contact_share(0.0, 0.0) == 0.0);
+}
+
+TEST_CASE("auto takes the mode that holds and says why; unstable wishes are refused")
+{
+    CHECK(physics::choose_mode({0.1, 3.0, 1.65, 0.6}).mode == Mode::pipelined);  // sand in water
+    CHECK(physics::choose_mode({0.1, 1200.0, 0.004, 0.6}).mode == Mode::concurrent); // glass in air
+    CHECK(physics::choose_mode({30.0, 3.0, 1.3, 0.6}).mode == Mode::iterated);   // 50 um in water
+    CHECK(physics::choose_mode({30.0, 3.0, 1.3, 0.6}).reason.find("b = 30") != std::string::npos);
+    CHECK_THROWS_AS(physics::require_stable(Mode::concurrent, {0.1, 3.0, 1.65, 0.6}), core::ConfigError);
+    CHECK_NOTHROW(physics::require_stable(Mode::iterated, {1e5, 2000.0, 3.0, 0.6}));
+    // NUMERICS B5: the seed, s = 2, phi = 0.4, C_m = 1/2.
+    CHECK(physics::added_mass_amplification(0.4, 2.0, 0.5) == doctest::Approx(1.65).epsilon(1e-12));
+}

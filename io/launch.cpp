@@ -6,13 +6,52 @@
 #include "io/manifest.hpp"
 #include <cerrno>
 #include <charconv>
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <fcntl.h>
 #include <filesystem>
 #include <fmt/format.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 namespace io {
+
+namespace {
+
+    constexpr int command_not_found = 127; // what a shell returns, too
+
+    /// In the child: a process group of its own, which Ctrl-C of the terminal does not reach.
+    [[noreturn]] void become_mpirun(const Launch& launch, const sigset_t& signals)
+    {
+        if (isatty(STDOUT_FILENO) == 1) setenv(terminal_variable, "1", 1);
+        for (const auto& [name, value] : launch.environment) setenv(name.c_str(), value.c_str(), 0);
+        std::vector<char*> arguments;
+        for (const auto& word : launch.command) arguments.push_back(const_cast<char*>(word.c_str()));
+        arguments.push_back(nullptr);
+        setpgid(0, 0);
+        if (const int nothing = open("/dev/null", O_RDONLY); nothing >= 0) dup2(nothing, STDIN_FILENO);
+        sigprocmask(SIG_SETMASK, &signals, nullptr);
+        execvp(arguments.front(), arguments.data());
+        _exit(command_not_found);
+    }
+
+    /// Passes signals on until the child has ended. @returns its exit code.
+    [[nodiscard]] int wait_for(pid_t child, const sigset_t& waited)
+    {
+        bool asked = false;
+        for (;;) {
+            const int signal = sigwaitinfo(&waited, nullptr);
+            int status = 0;
+            if (waitpid(child, &status, WNOHANG) == child)
+                return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+            if (signal != SIGINT && signal != SIGTERM && signal != SIGUSR1) continue;
+            kill(child, asked && signal != SIGUSR1 ? SIGTERM : SIGUSR1);
+            asked = true;
+        }
+    }
+
+} // namespace
 
 Launch mpirun_launch(int ranks, const std::vector<std::string>& program, const LaunchSite& site)
 {
@@ -22,7 +61,6 @@ Launch mpirun_launch(int ranks, const std::vector<std::string>& program, const L
         launch.environment.emplace_back(four, value);
         launch.environment.emplace_back(five, value);
     };
-    set_both("OMPI_MCA_odls_base_sigkill_timeout", "PRTE_MCA_odls_base_sigkill_timeout", "30");
     if (ranks > site.cores) {
         launch.environment.emplace_back("OMPI_MCA_rmaps_base_oversubscribe", "1");
         launch.environment.emplace_back("PRTE_MCA_rmaps_default_mapping_policy", ":oversubscribe");
@@ -59,23 +97,30 @@ std::optional<int> ranks_of_mpirun()
     return ranks;
 }
 
-void start_ranks(int ranks, int argc, char** argv)
+std::optional<int> start_ranks(int ranks, int argc, char** argv)
 {
     if (const auto started = ranks_of_mpirun()) {
-        return core::require<core::ConfigError>(
-            *started == ranks, fmt::format("--ranks {} inside an mpirun of {} ranks; leave out one of the two", ranks,
-                                           *started));
+        core::require<core::ConfigError>(*started == ranks,
+                                         fmt::format("--ranks {} inside an mpirun of {} ranks; leave out one of the two",
+                                                     ranks, *started));
+        return {};
     }
     auto words = without_option({argv, argv + argc}, "--ranks");
     words.front() = std::filesystem::read_symlink("/proc/self/exe").string();
     const Launch launch = mpirun_launch(ranks, words, {available_cores(), geteuid() == 0});
-    for (const auto& [name, value] : launch.environment) setenv(name.c_str(), value.c_str(), 0);
-    std::vector<char*> arguments;
-    for (const auto& word : launch.command) arguments.push_back(const_cast<char*>(word.c_str()));
-    arguments.push_back(nullptr);
-    execvp(arguments.front(), arguments.data());
-    throw core::ConfigError(fmt::format("mpirun cannot be started: {}; install Open MPI, or leave out --ranks",
-                                        std::strerror(errno)));
+
+    sigset_t waited, before;
+    sigemptyset(&waited);
+    for (int signal : {SIGINT, SIGTERM, SIGUSR1, SIGCHLD}) sigaddset(&waited, signal);
+    sigprocmask(SIG_BLOCK, &waited, &before);
+    const pid_t child = fork();
+    core::require<core::Error>(child >= 0, fmt::format("mpirun cannot be started: {}", std::strerror(errno)));
+    if (child == 0) become_mpirun(launch, before);
+    const int code = wait_for(child, waited);
+    sigprocmask(SIG_SETMASK, &before, nullptr);
+    core::require<core::ConfigError>(code != command_not_found,
+                                     "mpirun cannot be started; install Open MPI, or leave out --ranks");
+    return code;
 }
 
 } // namespace io

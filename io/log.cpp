@@ -3,6 +3,8 @@
 #include "io/log.hpp"
 
 #include "core/base/error.hpp"
+#include "io/launch.hpp"
+#include <cstdlib>
 #include <fmt/format.h>
 #include <ostream>
 #include <unistd.h>
@@ -22,6 +24,7 @@ std::string duration_text(double seconds)
 Console::Kind console_kind(int rank)
 {
     if (rank != 0) return Console::Kind::silent;
+    if (ranks_of_mpirun()) return std::getenv(terminal_variable) != nullptr ? Console::Kind::terminal : Console::Kind::plain;
     return isatty(STDOUT_FILENO) == 1 ? Console::Kind::terminal : Console::Kind::plain;
 }
 

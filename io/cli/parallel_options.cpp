@@ -33,13 +33,14 @@ std::vector<Option> parallel_options(ParallelOptions& place)
              &place.executor}};
 }
 
-void begin_parallel(const ParallelOptions& options, const Invocation& invocation)
+std::optional<int> begin_parallel(const ParallelOptions& options, const Invocation& invocation)
 {
     using core::ConfigError;
     core::require<ConfigError>(options.ranks.value_or(1) >= 1, "--ranks: at least one rank is needed");
     core::require<ConfigError>(options.threads.value_or(1) >= 1, "--threads: at least one thread is needed");
     check_executor(options.executor);
-    if (options.ranks && *options.ranks > 1) start_ranks(*options.ranks, invocation.argc, invocation.argv);
+    if (!options.ranks || *options.ranks == 1) return {};
+    return start_ranks(*options.ranks, invocation.argc, invocation.argv);
 }
 
 int chosen_threads(const ParallelOptions& options, int ranks)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/error.hpp"
-#include "tests/support/conduction_problem.hpp"
+#include "tests/support/conduction_boxes.hpp"
 #include <doctest/doctest.h>
 
 namespace {
@@ -133,4 +133,52 @@ TEST_CASE("BiCGSTAB and conjugate gradients find the same solution")
         [&](auto in, auto out) { solver.apply(serial, in, out); }, [&](auto in, auto out) { solver.precondition(serial, in, out); });
     // Condition number some 1e4, residuals 1e-11.
     CHECK(difference_up_to_a_constant(test::rows(p, solver.layout(), y), test::rows(p, solver.layout(), x)) < 1e-6);
+}
+
+TEST_CASE("walls that hold the unknown give the solution of a dense factorisation, quickly")
+{
+    for (const bool implicit_time : {false, true}) {
+        const auto edge = test::uniform(11, 1.0);
+        auto p = test::box_problem({{edge, edge, edge}, {2, 1, 1}}, [](double, double, double) { return 1.0; });
+        for (int b = 0; b < 2; ++b)
+            core::for_each_cell(p.topology.cells[std::size_t(b)], [&](int i, int j, int k) {
+                const auto n = p.topology.cells[std::size_t(b)];
+                const auto wall = [&](bool here, core::Side side) {
+                    if (!here) return;
+                    p.topology.links.push_back({{b, physics::cell_index(n, i, j, k), side}, {physics::wall_block, 0, side}});
+                    p.link.push_back(2.0 / 11.0); // half a cell away
+                };
+                wall(j == 0, core::Side::j_low);
+                wall(j == n.nj - 1, core::Side::j_high);
+                wall(k == 0, core::Side::k_low);
+                p.shift.on(b)(i, j, k) = 1e-3;
+            });
+        physics::SevenPointSolver solver(p.topology, {.coarsest_cells = 60, .shifted = implicit_time, .singular = false});
+        solver.set_up(serial, p.coefficients(implicit_time));
+        auto right = test::random_right(solver.layout(), 3);
+        const Eigen::VectorXd expected = p.dense(implicit_time).ldlt().solve(test::rows(p, solver.layout(), right));
+        std::vector<double> x(solver.layout().size(), 0.0);
+        const auto report = solver.solve(serial, {.relative = 1e-10}, right, x);
+        // Condition number some 1e2, residual 1e-10.
+        CHECK((test::rows(p, solver.layout(), x) - expected).norm() < 1e-8 * expected.norm());
+        CHECK(report.iterations <= 14);
+    }
+}
+
+TEST_CASE("a right-hand side of zero needs no iteration, tiny and huge ones as many as others")
+{
+    const auto edge = test::uniform(16, 1.0);
+    const auto p = test::box_problem({{edge, edge, edge}});
+    physics::SevenPointSolver solver(p.topology, {});
+    solver.set_up(serial, p.coefficients());
+    std::vector<int> counts;
+    for (const double size : {0.0, 1e-60, 1.0, 1e60}) {
+        auto right = test::random_right(solver.layout(), 3);
+        for (double& b : right) b *= size;
+        std::vector<double> x(solver.layout().size(), 0.0);
+        counts.push_back(solver.solve(serial, {.singular = true}, right, x).iterations);
+    }
+    CHECK(counts[0] == 0);
+    CHECK(counts[1] == counts[2]);
+    CHECK(counts[3] == counts[2]);
 }

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+// A uniform flow stays uniform on any grid (NUMERICS C0 U3), whatever the step.
+#include "tests/support/fluid_run.hpp"
+#include <doctest/doctest.h>
+
+namespace {
+
+/// Largest change of velocity after 20 steps in which the flow crosses `cells` cells each.
+double change(core::MultiBlock grid, double viscosity, double cells)
+{
+    const core::Vec3 uniform(0.7, -0.4, 0.5);
+    physics::FluidParameters water;
+    water.viscosity = viscosity;
+    for (const char* name : {"wall"}) water.walls[name] = uniform;
+    if (grid.boundary_name(0, core::Side::j_high) != "wall") water.walls.clear();
+    test::FluidRun run(std::move(grid), water);
+    run.start([&](const core::Vec3&) { return uniform; });
+    const auto rates = physics::transport_rates(run.mesh().geometry(0), run.fluid().state().velocity.on(0));
+    for (int n = 0; n < 20; ++n) run.step(cells / rates.displacement);
+    // Round-off of some 1e3 operations in each of 20 steps.
+    CHECK(run.divergence() < 1e-13);
+    return run.largest([&](core::LocalBlock b, int i, int j, int k) { return (run.velocity(b, i, j, k) - uniform).norm(); });
+}
+
+core::MultiBlock wavy_box(double amplitude)
+{
+    const double length = 2 * std::numbers::pi;
+    const core::Box box{{0, 0, 0}, {length, length, length}, {12, 12, 8}, {2, 1, 2}, {true, true, true}};
+    return core::make_box(box, [=](const core::Vec3& x) { return test::wavy(x, amplitude, 1); });
+}
+
+} // namespace
+
+TEST_CASE("a uniform flow stays uniform on a wavy box")
+{
+    CHECK(change(wavy_box(0.3), 1e-3, 0.8) < 1e-12);
+    CHECK(change(wavy_box(0.3), 0, 0.3) < 1e-12);
+}
+
+TEST_CASE("a uniform flow stays uniform on the pipe, singular edges and skewed cells included")
+{
+    CHECK(change(test::pipe_across(12, 1, 8, 2), 1e-3, 0.8) < 1e-12);
+}

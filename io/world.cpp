@@ -45,13 +45,15 @@ void World::make_grains()
 {
     locator_.emplace(mesh_);
     grains_.emplace(make_dynamics(scene_));
-    const core::Vec3 origin = grains_->domain().origin;
-    const physics::OwnerOf owner_of = [this, origin](const core::Vec3& x) {
-        const auto at = locator_->find(x + origin);
-        return at ? mesh_.owner(at->block) : 0;
-    };
+    const physics::OwnerOf owner_of = [this](const core::Vec3& x) { return this->owner_of(x); };
     add_initial_particles(scene_, owner_of, ranks_.rank(), *grains_);
     stepper_.emplace(*grains_, owner_of, ranks_.rank(), ranks_.size());
+}
+
+int World::owner_of(const core::Vec3& position) const
+{
+    const auto at = locator_->find(position + grains_->domain().origin);
+    return at ? mesh_.owner(at->block) : 0;
 }
 
 void World::make_coupling()

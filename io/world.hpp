@@ -35,10 +35,15 @@ public:
     /// Why the coupling has its mode; empty without coupling.
     [[nodiscard]] const std::string& mode_reason() const { return mode_reason_; }
 
+    /// The rank that owns what lies at a position relative to the domain's origin [m]; the same on all ranks.
+    [[nodiscard]] int owner_of(const core::Vec3& position) const;
+
     /// Grains alone, with their weight in the fluid, for scene.run.settle. Collective.
     void settle(const core::Team& team);
     /// Compiles the stages; call once, after settle() or after the state has been read. Collective.
     const tasks::Plan& compile();
+    /// None before compile().
+    [[nodiscard]] const tasks::Plan* plan() const { return plan_ ? &*plan_ : nullptr; }
     /// One step of at most the time that the limits allow. Collective. @throws tasks::StepFailure
     void step(tasks::Executor& executor);
     /// The length of the next step [s]. Collective.

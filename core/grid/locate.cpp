@@ -95,7 +95,8 @@ std::optional<Location> Locator::find(const Vec3& x) const
 std::optional<Location> Locator::walk(Vec3 x, Location at, int steps) const
 {
     for (; steps > 0; --steps) {
-        const auto xi = TrilinearCell(mesh_->vertices(at.block), at.cell).inverse(x, at.xi);
+        // Always from the middle: the bits of xi must not depend on the way that led to the cell.
+        const auto xi = TrilinearCell(mesh_->vertices(at.block), at.cell).inverse(x, Vec3::Constant(0.5));
         if (!xi) return std::nullopt;
         int axis = -1;
         double furthest = inside_tolerance;
@@ -117,7 +118,6 @@ std::optional<Location> Locator::walk(Vec3 x, Location at, int steps) const
         }
         const bool high = (*xi)[axis] > 1;
         at.cell[axis] += high ? 1 : -1;
-        at.xi = Vec3::Constant(0.5);
         if (!mesh_->cells(at.block).contains(at.cell)) {
             const auto& beyond = *mesh_->topology().neighbour(at.block, side_of(axis, high));
             at.cell = beyond.map(at.cell);

@@ -36,7 +36,10 @@ struct Command {
     std::function<int(const Invocation&)> run; ///< Returns the exit code. Errors that it throws are printed by main.
 };
 
+[[nodiscard]] Command run_command();
 [[nodiscard]] Command check_command();
+[[nodiscard]] Command plan_command();
+[[nodiscard]] Command digest_command();
 [[nodiscard]] Command schema_command();
 [[nodiscard]] Command explain_command();
 

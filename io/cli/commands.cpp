@@ -7,7 +7,10 @@ namespace io {
 std::vector<Command> all_commands()
 {
     return {
+        run_command(),
         check_command(),
+        plan_command(),
+        digest_command(),
         schema_command(),
         explain_command(),
     };

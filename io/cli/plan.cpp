@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+// isago plan: what would run, what is left out and why, and what it costs in memory.
+#include "io/cli/command.hpp"
+#include "io/scene_reader.hpp"
+#include "io/world.hpp"
+#include <fmt/format.h>
+#include <iostream>
+#include <memory>
+
+namespace io {
+namespace {
+
+int plan(const std::string& scene_path, const std::vector<std::string>& overrides, Invocation invocation)
+{
+    const Scene scene = read_scene(scene_path, overrides);
+    const core::MpiSession session(invocation.argc, invocation.argv);
+    World world(scene, core::Communicator::world());
+    const tasks::PlanReport report = world.compile().describe();
+    fmt::print("{}\n{} cells in {} blocks", scene.name, world.mesh().total_cells(), world.mesh().blocks());
+    if (world.grains()) fmt::print(", {} particles, sub-step {:.3g} s", world.grains()->particles.owned, world.grains()->step());
+    fmt::print("\nfirst step {:.3g} s", world.next_step());
+    if (world.grains()) fmt::print(" = {} sub-steps", world.sub_steps());
+    fmt::print("\n");
+    if (!world.fluid()) fmt::print("no fluid: no fluid stage, no fluid field\n");
+    if (!world.grains()) fmt::print("no particles: no particle stage, no fluid fraction\n");
+    if (world.coupling()) fmt::print("coupling {}\n", world.mode_reason());
+    std::cout << report;
+    return exit_success;
+}
+
+} // namespace
+
+Command plan_command()
+{
+    struct Arguments {
+        std::string scene;
+        std::vector<std::string> overrides;
+    };
+    auto a = std::make_shared<Arguments>(); // shared: the options and run() both need it
+    return {"plan",
+            "Show what a scene will run, what is left out and why, and its memory",
+            {{"scene", "A scene.yaml or its folder", &a->scene, true}, {"--set", "Override one key: key.path=value", &a->overrides}},
+            [a](const Invocation& invocation) { return plan(a->scene, a->overrides, invocation); }};
+}
+
+} // namespace io

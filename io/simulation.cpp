@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#include "io/simulation.hpp"
+#include "io/manifest.hpp"
+#include "io/rank_zero.hpp"
+#include "io/scene_writer.hpp"
+#include "io/simulation_outputs.hpp"
+#include "io/state_file.hpp"
+#include <fmt/format.h>
+#include <fstream>
+#include <iostream>
+
+namespace io {
+namespace {
+
+void write_text(const std::filesystem::path& path, const std::string& text)
+{
+    std::ofstream file(path);
+    file << text;
+    core::require<core::FileError>(file.good(), fmt::format("{} cannot be written", path.string()));
+}
+
+RunDirectory prepare(const Scene& scene, const core::Communicator& ranks, const SimulationOptions& options)
+{
+    on_rank_zero<core::ConfigError>(ranks, [&] {
+        const RunDirectory run = RunDirectory::create(options.directory, options.existing);
+        write_text(run.scene(), scene_text(scene));
+        write_text(run.manifest(), manifest_text({options.command, ranks.size(), options.threads, options.executor}));
+    });
+    return RunDirectory(options.directory);
+}
+
+std::unique_ptr<core::Team> team_for(const SimulationOptions& options)
+{
+    if (options.threads == 1) return std::make_unique<core::SerialTeam>();
+    return options.executor == "openmp" ? core::make_openmp_team(options.threads) : core::make_tbb_team(options.threads);
+}
+
+} // namespace
+
+Simulation::Simulation(const Scene& scene, const core::Communicator& ranks, const SimulationOptions& options)
+    : options_(options), ranks_(ranks), directory_(prepare(scene, ranks, options)), console_(std::cout, console_kind(ranks.rank())),
+      log_(ranks.rank() == 0 ? directory_.log() : std::filesystem::path(), console_), world_(scene, ranks)
+{
+    if (options.existing == RunDirectory::Existing::resume) resume();
+    else world_.settle(*team_for(options));
+    const tasks::Plan& plan = world_.compile();
+    executor_ = tasks::make_executor({options.executor, options.threads, options.trace ? &trace_ : nullptr}, plan);
+    const bool resumed = options.existing == RunDirectory::Existing::resume;
+    outputs_ = std::make_unique<SimulationOutputs>(world_, directory_, log_, resumed);
+    report_plan();
+}
+
+Simulation::~Simulation() = default;
+
+void Simulation::resume()
+{
+    const CheckpointChoice choice = newest_good_checkpoint(directory_.checkpoints(), ranks_);
+    for (const std::string& refused : choice.refused) log_.warning(refused);
+    core::require<core::FileError>(!choice.path.empty(), fmt::format("{} has no good checkpoint", directory_.checkpoints().string()));
+    load_state(CheckpointReader(choice.path, ranks_), world_);
+    log_.info(fmt::format("restart from {} at t = {:.6g} s", choice.path, world_.time()));
+}
+
+void Simulation::report_plan()
+{
+    log_.info(fmt::format("{}: {} cells in {} blocks, {} ranks x {} threads, executor {}", world_.scene().name, world_.mesh().total_cells(),
+                          world_.mesh().blocks(), ranks_.size(), options_.threads, executor_->name()));
+    if (world_.coupling())
+        log_.info(fmt::format("coupling {}; filter of degree {}", world_.mode_reason(), world_.coupling()->filter_degree()));
+}
+
+StopReason Simulation::run()
+{
+    const double until = world_.scene().run.until;
+    StopRequests requests(directory_.stop_file(), world_.scene().run.wall_clock);
+    Progress progress(world_.time(), until, console_, log_);
+    StopReason reason = StopReason::none;
+    outputs_->write_due();
+    while (world_.time() < until * (1 - 1e-12) && reason == StopReason::none) {
+        world_.step(*executor_);
+        outputs_->write_due();
+        progress.step(outputs_->step_report(), log_.seconds());
+        reason = requests.agree(ranks_);
+    }
+    progress.finish();
+    outputs_->finish();
+    if (options_.trace) {
+        trace_.write(*world_.plan(), ranks_.rank(), directory_.trace());
+        if (ranks_.rank() == 0) log_.info(core::text(trace_.digest(*world_.plan())));
+    }
+    if (reason != StopReason::none) log_.info(fmt::format("stopped by {} at t = {:.6g} s, state saved", name_of(reason), world_.time()));
+    else log_.info(fmt::format("finished at t = {:.6g} s after {} steps in {}", world_.time(), world_.clock().step, duration_text(log_.seconds())));
+    return reason;
+}
+
+} // namespace io

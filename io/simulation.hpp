@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// A run from a scene to its results: settle, step, write, stop.
+#include "io/log.hpp"
+#include "io/run_directory.hpp"
+#include "io/simulation_outputs.hpp"
+#include "io/stop_requests.hpp"
+#include "io/world.hpp"
+#include "tasks/trace.hpp"
+
+namespace io {
+
+struct SimulationOptions {
+    std::filesystem::path directory;
+    RunDirectory::Existing existing = RunDirectory::Existing::refuse;
+    std::string executor = "auto";
+    int threads = 1;
+    bool trace = false;
+    std::vector<std::string> command; ///< for the manifest
+};
+
+class Simulation {
+public:
+    /// Makes the run directory and the world; reads the newest good checkpoint when the run is resumed. Collective.
+    Simulation(const Scene& scene, const core::Communicator& ranks, const SimulationOptions& options);
+    Simulation(const Simulation&) = delete;
+    Simulation& operator=(const Simulation&) = delete;
+    ~Simulation();
+
+    /// Runs to the end, or to the step at which somebody asked to stop; the state is in a checkpoint then.
+    /// @return why it stopped, or none at the end.
+    StopReason run();
+
+    [[nodiscard]] World& world() { return world_; }
+
+private:
+    void resume();
+    void report_plan();
+
+    SimulationOptions options_;
+    core::Communicator ranks_;
+    RunDirectory directory_;
+    Console console_;
+    Log log_;
+    World world_;
+    tasks::Trace trace_;
+    std::unique_ptr<tasks::Executor> executor_;
+    std::unique_ptr<SimulationOutputs> outputs_;
+};
+
+} // namespace io

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// The result files of a world: fluid_*.hdf and particles_*.hdf, whichever the scene has.
+#include "io/vtkhdf.hpp"
+#include "io/world.hpp"
+
+namespace io {
+
+class WorldResults {
+public:
+    /// Writes the grid of a fluid. Collective. @throws core::FileError on all ranks.
+    WorldResults(const World& world, const std::string& directory);
+
+    /// Fluid: velocity, pressure and, when coupled, the fluid fraction. Particles, by id: radius, velocity, spin, species, id.
+    /// Collective. @throws core::FileError on all ranks.
+    void write(World& world, std::int64_t number);
+
+private:
+    void write_particles(const World& world, ResultTime when);
+    std::optional<FluidResults> fluid_;
+    std::optional<ParticleResults> particles_;
+};
+
+} // namespace io

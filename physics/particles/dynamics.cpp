@@ -77,6 +77,7 @@ void ParticleDynamics::dissolve(const core::Team& team)
         for (int i = 0; i < particles.owned; ++i) {
             pairs_.append_row(particles, i, history);
             walls_.append_row(i, history);
+            surface_.append_row(i, history);
             history.end_row();
         }
         particles.resize_ghosts(0);
@@ -114,6 +115,7 @@ void ParticleDynamics::build(const core::Team& team)
     cells_.build(particles, lattice_);
     pairs_.build(particles, cells_, skin_, history, team);
     walls_.build(particles, skin_, history);
+    if (!surface_.empty()) surface_.build(particles, skin_, history);
     forces_.resize(index_of(pairs_.size()));
     for (std::size_t a = 0; a < 3; ++a)
         reference_[a].assign(particles.position[a].begin(), particles.position[a].begin() + particles.owned);
@@ -127,6 +129,7 @@ void ParticleDynamics::refresh_near(const core::Team& team)
 {
     if (near_built_) near_.return_springs(pairs_, team);
     near_.refresh(particles, pairs_, shifts_, near_skin_, team);
+    if (!surface_.empty()) surface_.refresh(particles, near_skin_, team);
     near_built_ = true;
     near_travelled_ = 0.0;
 }
@@ -150,6 +153,7 @@ void ParticleDynamics::sum_chunk(int chunk, ForceSums& sums)
     sums.end = std::min(particles.owned, sums.begin + core::particles_per_chunk);
     sum_pair_forces(pairs_, near_, forces_, sums);
     if (!walls_.empty()) walls_.add_forces(particles, wall_laws_, chunk, sums);
+    if (!surface_.empty()) surface_.add_forces(particles, wall_laws_, chunk, sums);
 }
 
 /// A particle may move as soon as all its pairs are done. The pairs of chunks 0..c are all the pairs of their particles, so

@@ -3,6 +3,7 @@
 #pragma once
 // The moving particles of one rank and the lists of who may touch whom: the parts of a sub-step, without messages.
 #include "physics/particles/newton.hpp"
+#include "physics/particles/surface_contacts.hpp"
 #include "physics/particles/walls.hpp"
 
 #include <variant>
@@ -17,6 +18,9 @@ class ParticleDynamics {
 public:
     /// @param step  Sub-step [s]. @throws core::ConfigError for parameters out of range.
     ParticleDynamics(const core::Domain& domain, const ParticleParameters& parameters, std::vector<Wall> walls, double step);
+
+    /// Adds a surface to the walls. @pre before the first sub-step
+    void set_surface(WallSurface surface) { surface_ = SurfaceContacts(std::move(surface)); }
 
     core::ParticleSet particles;
     core::ContactHistory history; ///< Springs while no list is valid: before the first build, and during a rebuild.
@@ -68,6 +72,7 @@ private:
     double step_;
     ContactLaws pair_laws_, wall_laws_;
     WallContacts walls_;
+    SurfaceContacts surface_;
     std::array<core::Vec3, 27> shifts_;
     double greatest_radius_ = 0.0, skin_ = 0.0, near_skin_ = 0.0;
     core::BinLattice lattice_;

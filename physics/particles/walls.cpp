@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "physics/particles/walls.hpp"
 #include "core/base/error.hpp"
+#include "physics/particles/wall_force.hpp"
 
 #include <algorithm>
 
@@ -12,12 +13,6 @@ using core::Vec3;
 
 constexpr auto index_of(int i) { return std::size_t(i); }
 
-/// Where a particle meets a wall: unit normals from the particle to the wall now and half a step ago, and the gap of the centre.
-struct Meeting {
-    double nx, ny, nz, mx, my, mz;
-    double depth; ///< Distance of the centre from the wall's surface, positive on the side of the particles [m].
-};
-
 struct PlaneMeeting {
     double px, py, pz, nx, ny, nz;
     explicit PlaneMeeting(const PlaneWall& w)
@@ -25,7 +20,7 @@ struct PlaneMeeting {
     {
     }
     /// @param half  The way of the last half step [m].
-    Meeting operator()(double x, double y, double z, double, double, double) const
+    WallMeeting operator()(double x, double y, double z, double, double, double) const
     {
         return {nx, ny, nz, nx, ny, nz, (px - x) * nx + (py - y) * ny + (pz - z) * nz};
     }
@@ -38,7 +33,7 @@ struct CylinderMeeting {
     {
     }
     /// @param hx,hy,hz  The way of the last half step [m].
-    Meeting operator()(double x, double y, double z, double hx, double hy, double hz) const
+    WallMeeting operator()(double x, double y, double z, double hx, double hy, double hz) const
     {
         const double dx = x - px, dy = y - py, dz = z - pz;
         const double along = dx * ax + dy * ay + dz * az, h_along = hx * ax + hy * ay + hz * az;
@@ -53,39 +48,6 @@ struct CylinderMeeting {
 
 PlaneMeeting meeting_of(const PlaneWall& w) { return PlaneMeeting(w); }
 CylinderMeeting meeting_of(const CylinderWall& w) { return CylinderMeeting(w); }
-
-/// The particle's part of the input of the contact law.
-inline ContactInput wall_input(const core::ParticleSet& p, std::size_t i, const Meeting& at)
-{
-    ContactInput in;
-    in.overlap = p.radius[i] - at.depth;
-    in.nx = at.nx;
-    in.ny = at.ny;
-    in.nz = at.nz;
-    in.mx = at.mx;
-    in.my = at.my;
-    in.mz = at.mz;
-    in.vx = p.velocity[0][i];
-    in.vy = p.velocity[1][i];
-    in.vz = p.velocity[2][i];
-    in.wx = at.depth * p.spin[0][i];
-    in.wy = at.depth * p.spin[1][i];
-    in.wz = at.depth * p.spin[2][i];
-    in.twist = 0.5 * (p.spin[0][i] * at.nx + p.spin[1][i] * at.ny + p.spin[2][i] * at.nz);
-    in.root_mass = std::sqrt(p.mass[i]);
-    return in;
-}
-
-/// Adds the force of one contact to the sums of particle k of the chunk.
-inline void add_contact(const ContactOutput& f, const Meeting& at, std::size_t k, ForceSums& sums)
-{
-    sums.force[0][k] += f.fx;
-    sums.force[1][k] += f.fy;
-    sums.force[2][k] += f.fz;
-    sums.torque[0][k] += at.depth * (at.ny * f.fz - at.nz * f.fy);
-    sums.torque[1][k] += at.depth * (at.nz * f.fx - at.nx * f.fz);
-    sums.torque[2][k] += at.depth * (at.nx * f.fy - at.ny * f.fx);
-}
 
 } // namespace
 
@@ -152,7 +114,7 @@ void WallContacts::add_forces(const core::ParticleSet& p, const ContactLaws& law
                     const auto i = index_of(list.particle[k]);
                     const LinearContact& law = laws.size() == 1 ? laws.front() : laws[index_of(p.species[i])];
                     const double half = 0.5 * law.step;
-                    const Meeting at = meet(p.position[0][i], p.position[1][i], p.position[2][i], half * p.velocity[0][i],
+                    const WallMeeting at = meet(p.position[0][i], p.position[1][i], p.position[2][i], half * p.velocity[0][i],
                                             half * p.velocity[1][i], half * p.velocity[2][i]);
                     ContactInput in = wall_input(p, i, at);
                     in.sx = list.spring[0][k];
@@ -162,7 +124,7 @@ void WallContacts::add_forces(const core::ParticleSet& p, const ContactLaws& law
                     list.spring[0][k] = out.sx;
                     list.spring[1][k] = out.sy;
                     list.spring[2][k] = out.sz;
-                    add_contact(out, at, i - index_of(sums.begin), sums);
+                    add_wall_force(out, at, i - index_of(sums.begin), sums);
                 }
             },
             walls_[w]);

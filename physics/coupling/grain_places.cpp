@@ -11,20 +11,18 @@ void GrainPlaces::locate(const core::Mesh& mesh, const core::Locator& locator, c
                          const core::ParticleSet& grains)
 {
     const auto count = std::size_t(grains.owned);
-    const bool same_grains = ids_.size() == count && std::equal(ids_.begin(), ids_.end(), grains.id.begin());
-    if (!same_grains) locations_.assign(count, {});
-    ids_.assign(grains.id.begin(), grains.id.begin() + grains.owned);
+    locations_.resize(count);
     stencils_.resize(count);
     for (int g = 0; g < grains.owned; ++g) {
         core::Vec3 x = grains.position_of(g);
         for (int axis = 0; axis < 3; ++axis) x[axis] = domain.wrapped(axis, x[axis]);
-        auto& place = locations_[std::size_t(g)];
-        const auto found = locator.find(x + domain.origin, place);
+        core::Location& last = last_[grains.id[std::size_t(g)]];
+        const auto found = locator.find(x + domain.origin, last);
         const bool here = found && mesh.local(found->block) >= 0;
         core::require<core::NumericsError>(here, core::text("particle ", grains.id[std::size_t(g)], " at ", (x + domain.origin).transpose(),
                                                             " m lies in no cell of its rank: it has left the domain or moved too far in one step"));
-        place = *found;
-        stencils_[std::size_t(g)] = core::hat_stencil(mesh, place);
+        last = locations_[std::size_t(g)] = *found;
+        stencils_[std::size_t(g)] = core::hat_stencil(mesh, *found);
     }
     sort_into_blocks(mesh, grains);
 }

@@ -8,6 +8,7 @@
 #include "core/particles/domain.hpp"
 #include "core/particles/particle_set.hpp"
 #include <span>
+#include <unordered_map>
 
 namespace physics {
 
@@ -35,7 +36,7 @@ private:
 
     std::vector<core::Location> locations_; ///< of each owned grain
     std::vector<core::HatStencil> stencils_;
-    std::vector<std::int64_t> ids_; ///< of the grains that locations_ are of
+    std::unordered_map<std::int64_t, core::Location> last_; ///< by id: where to begin the search, which no result depends on
     std::vector<int> order_, first_;
 };
 

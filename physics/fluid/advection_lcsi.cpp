@@ -52,44 +52,63 @@ void fill_half_way(const double* displacement, int cells, Weights<3>& weights)
     }
 }
 
+/// Values of three components for a chunk of cells.
+struct Chunk {
+    alignas(64) double value[3][chunk];
+};
+
 /// The same window of points around every cell of a chunk, each cell with weights of its own.
 template <int Points>
 class Window {
 public:
     Weights<Points> i, j, k;
 
-    /// Sums q over the window of cells [first, first + cells) of row (j, k).
-    void apply(core::View<const double> q, core::Index3 first, int cells, double* sum) const
+    /// Sums the components of q over the windows of cells [first, first + cells) of a row.
+    void apply(const core::VectorView<const double>& q, core::Index3 first, int cells, Chunk& sum) const
     {
         constexpr int middle = Points / 2;
         const bool along_i = !i.middle_only(cells);
-        std::fill_n(sum, cells, 0.0);
+        for (auto& component : sum.value) std::fill_n(component, cells, 0.0);
         for (int dk = 0; dk < Points; ++dk) {
             if (!k.used(dk, cells)) continue;
             for (int dj = 0; dj < Points; ++dj) {
                 if (!j.used(dj, cells)) continue;
-                const double* f = q.row(first.j + dj - middle, first.k + dk - middle) + first.i;
-                if (along_i) add_row(f, dj, dk, cells, sum);
-                else add_point(f, dj, dk, cells, sum);
+                const std::ptrdiff_t row = q.x.offset(first.i, first.j + dj - middle, first.k + dk - middle);
+                const double *x = &q.x.at(row), *y = &q.y.at(row), *z = &q.z.at(row);
+                if (along_i) add_row(x, y, z, j.w[dj], k.w[dk], cells, sum);
+                else add_point(x, y, z, j.w[dj], k.w[dk], cells, sum);
             }
         }
     }
 
 private:
-    void add_point(const double* f, int dj, int dk, int cells, double* sum) const
+    static void add_point(const double* x, const double* y, const double* z, const double* wj, const double* wk, int cells, Chunk& sum)
     {
 #pragma omp simd
-        for (int l = 0; l < cells; ++l) sum[l] += j.w[dj][l] * k.w[dk][l] * f[l];
+        for (int l = 0; l < cells; ++l) {
+            const double w = wj[l] * wk[l];
+            sum.value[0][l] += w * x[l];
+            sum.value[1][l] += w * y[l];
+            sum.value[2][l] += w * z[l];
+        }
     }
-    void add_row(const double* f, int dj, int dk, int cells, double* sum) const
+    void add_row(const double* x, const double* y, const double* z, const double* wj, const double* wk, int cells, Chunk& sum) const
     {
         constexpr int middle = Points / 2;
 #pragma omp simd
         for (int l = 0; l < cells; ++l) {
-            double along = 0;
+            double sx = 0, sy = 0, sz = 0;
 #pragma GCC unroll 8
-            for (int p = 0; p < Points; ++p) along += i.w[p][l] * f[l + p - middle];
-            sum[l] += j.w[dj][l] * k.w[dk][l] * along;
+            for (int p = 0; p < Points; ++p) {
+                const double w = i.w[p][l];
+                sx += w * x[l + p - middle];
+                sy += w * y[l + p - middle];
+                sz += w * z[l + p - middle];
+            }
+            const double w = wj[l] * wk[l];
+            sum.value[0][l] += w * sx;
+            sum.value[1][l] += w * sy;
+            sum.value[2][l] += w * sz;
         }
     }
 };
@@ -130,23 +149,22 @@ void trajectories(core::VectorView<const double> index_velocity, double dt, core
 {
     for_each_chunk(displacement.x.extents(), [&](core::Index3 first, int cells) {
         Window<3> window;
-        alignas(64) double path[3][chunk];
+        Chunk path;
         for (int m = 0; m < 3; ++m) {
             const double* u = index_velocity.component(m).row(first.j, first.k) + first.i;
-            for (int l = 0; l < cells; ++l) path[m][l] = dt * u[l];
+            for (int l = 0; l < cells; ++l) path.value[m][l] = dt * u[l];
         }
         for (int iteration = 0; iteration < 2; ++iteration) {
-            fill_half_way(path[0], cells, window.i);
-            fill_half_way(path[1], cells, window.j);
-            fill_half_way(path[2], cells, window.k);
-            for (int m = 0; m < 3; ++m) {
-                window.apply(index_velocity.component(m), first, cells, path[m]);
-                for (int l = 0; l < cells; ++l) path[m][l] *= dt;
-            }
+            fill_half_way(path.value[0], cells, window.i);
+            fill_half_way(path.value[1], cells, window.j);
+            fill_half_way(path.value[2], cells, window.k);
+            window.apply(index_velocity, first, cells, path);
+            for (auto& component : path.value)
+                for (int l = 0; l < cells; ++l) component[l] *= dt;
         }
         for (int m = 0; m < 3; ++m) {
             double* out = displacement.component(m).row(first.j, first.k) + first.i;
-            for (int l = 0; l < cells; ++l) out[l] = std::clamp(path[m][l], -1.0, 1.0);
+            for (int l = 0; l < cells; ++l) out[l] = std::clamp(path.value[m][l], -1.0, 1.0);
         }
     });
 }
@@ -161,11 +179,9 @@ void advect(const core::BlockGeometry& geometry, core::VectorView<const double> 
         fill_hermite(row(displacement.x), row(near_singular), cells, window.i);
         fill_hermite(row(displacement.y), row(near_singular), cells, window.j);
         fill_hermite(row(displacement.z), row(near_singular), cells, window.k);
-        alignas(64) double sum[chunk];
-        for (int c = 0; c < 3; ++c) {
-            window.apply(q.component(c), first, cells, sum);
-            std::copy_n(sum, cells, row(out.component(c)));
-        }
+        Chunk sum;
+        window.apply(q, first, cells, sum);
+        for (int c = 0; c < 3; ++c) std::copy_n(sum.value[c], cells, row(out.component(c)));
     });
 }
 

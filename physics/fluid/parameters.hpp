@@ -4,14 +4,23 @@
 // What a scene says about its fluid.
 #include "physics/fluid/boundary.hpp"
 #include "physics/fluid/drive.hpp"
+#include <algorithm>
 
 namespace physics {
 
 /// How exactly the linear systems of a step are solved.
 struct FluidTolerances {
     double pressure = 1e-6;         ///< net volume flux of a cell over the flux through it, root mean square
+    double pressure_change = 1e-2;  ///< net volume flux of a cell over that before the projection: keeps small steps accurate
     double viscosity = 1e-8;        ///< residual over the viscous change of velocity
     int most_iterations = 200;
+
+    /// What the pressure solver may leave of the net outflow; both as 2-norms over the cells [m3/s].
+    [[nodiscard]] double pressure_target(double throughput, double outflow) const
+    {
+        constexpr double round_off = 1e-14;
+        return std::max(round_off * throughput, std::min(pressure * throughput, pressure_change * outflow));
+    }
 };
 
 struct FluidParameters {

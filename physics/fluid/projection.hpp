@@ -7,18 +7,22 @@
 
 namespace physics {
 
-/// Puts the compact pressure gradient into face fluxes from which the interpolated one was taken out (Rhie-Chow):
-/// flux -= mobility * compact flux of grad p.
-/// @param scratch  Overwritten by the compact flux.
-void add_pressure_flux(const core::BlockGeometry& geometry, const BlockWalls& walls, double mobility,
-                       core::View<const double> pressure, core::VectorView<const double> pressure_gradient,
-                       core::FaceView<double> scratch, core::FaceView<double> flux);
+/// What the pressure gradient of a predicted velocity does to faces (Rhie-Chow): takes out the gradient interpolated from
+/// the cells and puts in the compact one, which sees a checkerboard.
+/// @param mobility   dt / density [m3 s/kg].
+/// @param diffusion  Of the implicit viscosity, share * dt * viscosity [m2]: it damps what the pressure does to the
+///                   velocity from cell to cell, and must do the same here, or stiff viscosity makes the pressure grow.
+/// @param scratch    Overwritten.
+void add_pressure_smoothing(const core::BlockGeometry& geometry, double mobility, double diffusion,
+                            core::View<const double> pressure, core::VectorView<const double> pressure_gradient,
+                            core::FaceView<double> scratch, core::FaceView<double> flux);
 
 /// Carries over what the last face fluxes knew and the cell velocities did not, as far as advection and viscosity would
 /// not have wiped it out during the step. Without it the coupling of pressure and velocity fades as dt goes to zero
 /// (NUMERICS B1 iv).
 /// @param velocity  At the start of the step, one halo layer.
 /// @param before    Face fluxes at the start of the step.
+/// @post Walls carry their own velocity.
 void add_flux_memory(const core::BlockGeometry& geometry, const BlockWalls& walls, double dt, double viscosity,
                      core::VectorView<const double> velocity, core::FaceView<const double> before, core::FaceView<double> flux);
 

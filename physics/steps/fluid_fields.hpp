@@ -19,7 +19,6 @@ struct FluidFields {
           advected({"advected velocity", "m/s", 0, false}, mesh.own_cells()),
           predicted({"predicted velocity", "m/s", 1, false}, mesh.own_cells()),
           diffusion({"diffusion of predicted velocity", "m2/s", 0, false}, mesh.own_cells()),
-          carried({"velocity without pressure", "m/s", 1, false}, mesh.own_cells()),
           face_scratch({"flux of a gradient", "", 0, false}, mesh.own_cells()),
           predicted_flux({"predicted volume flux", "m3/s", 0, false}, mesh.own_cells()),
           outflow({"net outflow", "m3/s", 0, false}, mesh.own_cells()),
@@ -37,7 +36,6 @@ struct FluidFields {
     core::VectorField advected;       ///< source at the departure points
     core::VectorField predicted;      ///< before the projection
     core::VectorField diffusion;      ///< net flux of its gradient before viscosity has been made implicit
-    core::VectorField carried;        ///< predicted velocity without its pressure impulse: what faces interpolate
     core::FaceField face_scratch, predicted_flux;
     core::ScalarField outflow;        ///< of the predicted flux
     core::ScalarField throughput;     ///< half the sum of the magnitudes of the fluxes of a cell

@@ -29,20 +29,14 @@ void FluidStep::declare_face_flux(tasks::StageGraph& graph)
 {
     auto& f = fields_;
     graph.each_block(
-        "take pressure out",
-        [this](LocalBlock, Vectors predicted, Vectors gp, const FluidClock& clock, VectorView<double> carried) {
-            const double mobility = clock.dt / parameters_.density;
-            map_components(carried, [mobility](double u, double g) { return u + mobility * g; }, predicted, gp);
-        },
-        reads(f.predicted, f.pressure_gradient, clock_), writes(f.carried));
-    graph.each_block(
         "face flux",
-        [this](LocalBlock b, Vectors carried, FaceView<double> flux) { interpolated_flux(geometry(b), walls_of(b), carried, flux); },
-        reads(halo(f.carried, 1)), writes(f.predicted_flux));
+        [this](LocalBlock b, Vectors predicted, FaceView<double> flux) { interpolated_flux(geometry(b), walls_of(b), predicted, flux); },
+        reads(halo(f.predicted, 1)), writes(f.predicted_flux));
     graph.each_block(
         "pressure on faces",
         [this](LocalBlock b, View<const double> p, Vectors gp, const FluidClock& clock, FaceView<double> scratch, FaceView<double> flux) {
-            add_pressure_flux(geometry(b), walls_of(b), clock.dt / parameters_.density, p, gp, scratch, flux);
+            add_pressure_smoothing(geometry(b), clock.dt / parameters_.density, clock.implicit_share() * clock.dt * parameters_.viscosity, p, gp,
+                                   scratch, flux);
         },
         reads(halo(state_.pressure, 1), halo(f.pressure_gradient, 1), clock_), writes(f.face_scratch), updates(f.predicted_flux));
     graph.each_block(

@@ -6,16 +6,29 @@
 
 namespace physics {
 
-/// Runs `sub_steps` sub-steps of all particles and waits for them. The communicator must have messages of its own.
-inline void settle(ParticleStepper& stepper, const Motion& motion, int sub_steps, const core::Team& team,
-                   const core::Communicator& communicator)
+/// Drives what has been begun to its end, waiting for messages.
+inline void drive(ParticleStepper& stepper, const core::Team& team, const core::Communicator& communicator)
 {
-    stepper.begin(motion, sub_steps);
     while (stepper.work(team)) {
         core::Pending pending;
         stepper.post(communicator, pending);
         pending.wait();
     }
+}
+
+/// Runs `sub_steps` sub-steps of all particles and waits for them. The communicator must have messages of its own.
+inline void settle(ParticleStepper& stepper, const Motion& motion, int sub_steps, const core::Team& team,
+                   const core::Communicator& communicator)
+{
+    stepper.begin(motion, sub_steps);
+    drive(stepper, team, communicator);
+}
+
+/// Brings every particle to the rank that owns the place where it lies.
+inline void hand_over(ParticleStepper& stepper, const core::Team& team, const core::Communicator& communicator)
+{
+    stepper.hand_over();
+    drive(stepper, team, communicator);
 }
 
 /// The same on one rank.

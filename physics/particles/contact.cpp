@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "physics/particles/contact.hpp"
 #include "core/base/error.hpp"
+#include "core/base/four.hpp"
 #include "core/base/random.hpp"
 
 #include <numbers>
@@ -41,29 +42,26 @@ struct alignas(64) PairBlock {
     Lane fx, fy, fz, tx, ty, tz, li, lj; ///< Force, normal x force, lever arms.
 };
 
-/// Reads pairs [begin, begin + count). shift_of(m, axis) is the image shift.
+/// Reads pairs [begin, begin + count); the places up to the next multiple of four repeat the last one.
+/// @param shift_of  shift_of(m): the image shift, fourth value 0.
 template <class ShiftOf>
-void read_block(const core::ParticleSet& p, const PairColumns& pair, int begin, int count, ShiftOf shift_of, PairBlock& b)
+void read_block(const MotionRecords::Record* records, const PairColumns& pair, int begin, int count, ShiftOf shift_of, PairBlock& b)
 {
-    const double *x = p.position[0].data(), *y = p.position[1].data(), *z = p.position[2].data(), *radius = p.radius.data();
-    const double *vx = p.velocity[0].data(), *vy = p.velocity[1].data(), *vz = p.velocity[2].data();
-    const double *wx = p.spin[0].data(), *wy = p.spin[1].data(), *wz = p.spin[2].data();
-    for (int k = 0; k < count; ++k) {
-        const int i = pair.first[begin + k], j = pair.second[begin + k];
-        b.dx[k] = x[j] - x[i] + shift_of(begin + k, 0);
-        b.dy[k] = y[j] - y[i] + shift_of(begin + k, 1);
-        b.dz[k] = z[j] - z[i] + shift_of(begin + k, 2);
-        b.vx[k] = vx[i] - vx[j];
-        b.vy[k] = vy[i] - vy[j];
-        b.vz[k] = vz[i] - vz[j];
-        b.ri[k] = radius[i];
-        b.rj[k] = radius[j];
-        b.ax[k] = wx[i];
-        b.ay[k] = wy[i];
-        b.az[k] = wz[i];
-        b.bx[k] = wx[j];
-        b.by[k] = wy[j];
-        b.bz[k] = wz[j];
+    using core::Four, core::load_four, core::store_four;
+    for (int k = 0; k < count; k += 4) {
+        Four d[4], v[4], wi[4], wj[4];
+        for (int lane = 0; lane < 4; ++lane) {
+            const int m = begin + std::min(k + lane, count - 1);
+            const auto &first = records[pair.first[m]], &second = records[pair.second[m]];
+            d[lane] = load_four(second.position) - load_four(first.position) + shift_of(m);
+            v[lane] = load_four(first.velocity) - load_four(second.velocity);
+            wi[lane] = load_four(first.spin);
+            wj[lane] = load_four(second.spin);
+        }
+        for (auto* rows : {d, v, wi, wj}) core::transpose(rows[0], rows[1], rows[2], rows[3]);
+        double* const to[] = {b.dx, b.dy, b.dz, b.vx, b.vy, b.vz, b.ax, b.ay, b.az, b.ri, b.bx, b.by, b.bz, b.rj};
+        const Four from[] = {d[0], d[1], d[2], v[0], v[1], v[2], wi[0], wi[1], wi[2], wi[3], wj[0], wj[1], wj[2], wj[3]};
+        for (int n = 0; n < 14; ++n) store_four(to[n] + k, from[n]);
     }
 }
 
@@ -119,8 +117,16 @@ void evaluate_block(const PairColumns& pair, int begin, int count, LawOf law_of,
 
 void write_block(const PairBlock& b, int count, ContactForce* forces)
 {
-    for (int k = 0; k < count; ++k)
-        forces[k] = {{b.fx[k], b.fy[k], b.fz[k]}, b.li[k], {b.tx[k], b.ty[k], b.tz[k]}, b.lj[k]};
+    for (int k = 0; k < count; k += 4) {
+        core::Four f[] = {core::load_four(b.fx + k), core::load_four(b.fy + k), core::load_four(b.fz + k), core::load_four(b.li + k)};
+        core::Four t[] = {core::load_four(b.tx + k), core::load_four(b.ty + k), core::load_four(b.tz + k), core::load_four(b.lj + k)};
+        core::transpose(f[0], f[1], f[2], f[3]);
+        core::transpose(t[0], t[1], t[2], t[3]);
+        for (int lane = 0; lane < std::min(4, count - k); ++lane) {
+            core::store_four(forces[k + lane].force, f[lane]);
+            core::store_four(forces[k + lane].torque, t[lane]);
+        }
+    }
 }
 
 bool any_coincident(const PairBlock& b, int count)
@@ -140,7 +146,7 @@ void run_pairs(const PairScene& scene, const PairColumns& pair, int begin, int e
     PairBlock block;
     for (; begin < end; begin += PairBlock::size) {
         const int count = std::min(PairBlock::size, end - begin);
-        read_block(scene.particles, pair, begin, count, shift_of, block);
+        read_block(scene.records.data(), pair, begin, count, shift_of, block);
         if (any_coincident(block, count)) separate(scene, pair, begin, count, block);
         evaluate_block(pair, begin, count, law_of, block);
         write_block(block, count, pair.forces + begin);
@@ -174,11 +180,14 @@ template <class LawOf>
 void run_chunk(const PairScene& scene, const core::NearPairs& near, int chunk, const PairColumns& pair, LawOf law_of)
 {
     const int begin = scene.pairs.chunk_begin[std::size_t(chunk)], middle = near.plain_end[std::size_t(chunk)];
-    run_pairs(scene, pair, begin, middle, law_of, [](int, int) { return 0.0; });
+    run_pairs(scene, pair, begin, middle, law_of, [](int) { return core::Four{}; });
     const core::Vec3* shifts = scene.shifts.data();
     const std::uint8_t* image = near.image.data();
     run_pairs(scene, pair, middle, near.shifted_end[std::size_t(chunk)], law_of,
-              [=](int m, int axis) { return shifts[image[m]].data()[axis]; });
+              [=](int m) {
+                  const core::Vec3& shift = shifts[image[m]];
+                  return core::Four{shift[0], shift[1], shift[2], 0.0};
+              });
 }
 
 ContactLaws laws_of(const std::vector<ContactParameters>& entries, int wanted, double step)

@@ -4,6 +4,7 @@
 // Forces of touching pairs, first pair by pair, then summed for each particle in the order of its neighbours' ids.
 #include "core/particles/near_pairs.hpp"
 #include "physics/particles/contact_law.hpp"
+#include "physics/particles/motion_records.hpp"
 
 #include <span>
 
@@ -11,10 +12,8 @@ namespace physics {
 
 /// Force on the first particle [N]; normal x force, which times each lever arm is the torque on that particle.
 struct alignas(64) ContactForce {
-    double force[3];
-    double lever_first; ///< Distance from the first centre to the contact point [m].
-    double torque[3];   ///< [N]
-    double lever_second;
+    double force[4];  ///< Fourth: distance from the first centre to the contact point [m].
+    double torque[4]; ///< [N]; fourth: distance from the second centre.
 };
 
 /// The laws of all pairs of species; law of near pair m: entry kind[m], or the only one.
@@ -28,6 +27,7 @@ using ContactLaws = std::vector<LinearContact>;
 /// What the force of a pair depends on.
 struct PairScene {
     const core::ParticleSet& particles;
+    const MotionRecords& records;
     const core::PairList& pairs;
     const std::array<core::Vec3, 27>& shifts;
     const ContactLaws& laws;

@@ -38,7 +38,13 @@ void ParticleDynamics::set_reach(double greatest_radius)
     near_skin_ = parameters_.near_skin > 0 ? std::min(parameters_.near_skin, skin_) : usual_near_skin * greatest_radius;
 }
 
-double ParticleDynamics::start(const core::Team& team) { return drift_all(particles, 0.5 * step_, team); }
+double ParticleDynamics::start(const core::Team& team)
+{
+    const double speed2 = drift_all(particles, 0.5 * step_, team);
+    records_.resize(particles.size());
+    records_.update(particles, 0, particles.size());
+    return speed2;
+}
 
 void ParticleDynamics::account(double speed2, double time)
 {
@@ -117,6 +123,8 @@ void ParticleDynamics::build(const core::Team& team)
     walls_.build(particles, skin_, history);
     if (!surface_.empty()) surface_.build(particles, skin_, history);
     forces_.resize(index_of(pairs_.size()));
+    records_.resize(particles.size());
+    records_.update(particles, 0, particles.size());
     for (std::size_t a = 0; a < 3; ++a)
         reference_[a].assign(particles.position[a].begin(), particles.position[a].begin() + particles.owned);
     built_ = true;
@@ -161,13 +169,14 @@ void ParticleDynamics::sum_chunk(int chunk, ForceSums& sums)
 template <class M>
 double ParticleDynamics::advance_as(const M& motion, const core::Team& team, const DriftTimes& times)
 {
-    const PairScene scene{particles, pairs_, shifts_, pair_laws_, parameters_.seed};
+    const PairScene scene{particles, records_, pairs_, shifts_, pair_laws_, parameters_.seed};
     const int segments = int(segments_.size()) - 1;
     std::vector<double> greatest(index_of(segments), 0.0);
     const auto move = [&](int s, int c) {
         ForceSums sums;
         sum_chunk(c, sums);
         greatest[index_of(s)] = std::max(greatest[index_of(s)], move_chunk(particles, sums, motion, times));
+        records_.update(particles, sums.begin, sums.end);
     };
     team.run(segments, [&](int s) {
         for (int c = segments_[index_of(s)]; c < segments_[index_of(s) + 1]; ++c) {

@@ -38,6 +38,8 @@ public:
     /// One sub-step of all owned particles. Half a drift follows the kick, a whole one unless it is the `last` of the batch.
     /// @returns the greatest square of speed of this rank [m2/s2].
     double advance(const Motion& motion, const core::Team& team, int sub_step, int sub_steps);
+    /// To be called when ghosts have moved.
+    void ghosts_moved() { records_.update(particles, particles.owned, particles.size()); }
     /// Books the way that the fastest particle may have gone. @param speed2  Greatest square of speed of all ranks [m2/s2].
     void account(double speed2, double time);
     /// True when some pair outside the lists might touch, judged by speeds; the same answer on all ranks.
@@ -80,6 +82,7 @@ private:
     core::PairList pairs_;
     core::NearPairs near_;
     std::vector<ContactForce> forces_;
+    MotionRecords records_;
     core::Triple reference_;       // positions at the last rebuild
     bool built_ = false, near_built_ = false;
     double travelled_ = 0.0, near_travelled_ = 0.0;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Forces and torques on the particles of one chunk, summed in a fixed order.
+#include "core/base/four.hpp"
 #include "physics/particles/contact.hpp"
 
 namespace physics {
@@ -19,20 +20,19 @@ inline void sum_pair_forces(const core::PairList& pairs, const core::NearPairs& 
                             ForceSums& sums)
 {
     for (int i = sums.begin; i < sums.end; ++i) {
-        alignas(64) double force[4] = {}, torque[4] = {};
+        core::Four force{}, torque{};
         for (int k = pairs.row_begin[std::size_t(i)]; k < near.row_end[std::size_t(i)]; ++k) {
             const int entry = near.row[std::size_t(k)];
             const ContactForce& contact = forces[std::size_t(entry >> 1)];
-            const double* record = contact.force; // force and its lever, then torque and its lever
             const bool is_second = (entry & 1) != 0;
-            const double sign = is_second ? -1.0 : 1.0, lever = is_second ? contact.lever_second : contact.lever_first;
-            for (int a = 0; a < 3; ++a) force[a] += sign * record[a];
-            for (int a = 0; a < 3; ++a) torque[a] += lever * contact.torque[a];
+            const double sign = is_second ? -1.0 : 1.0, lever = is_second ? contact.torque[3] : contact.force[3];
+            force += sign * core::load_four(contact.force);
+            torque += lever * core::load_four(contact.torque);
         }
         const auto k = std::size_t(i - sums.begin);
         for (std::size_t a = 0; a < 3; ++a) {
-            sums.force[a][k] = force[a];
-            sums.torque[a][k] = torque[a];
+            sums.force[a][k] = force[int(a)];
+            sums.torque[a][k] = torque[int(a)];
         }
     }
 }

@@ -32,10 +32,19 @@ void ParticleStepper::begin(const Motion& motion, int sub_steps)
     wait_ = Wait::nothing;
 }
 
+void ParticleStepper::hand_over() { handing_over_ = true; }
+
 bool ParticleStepper::work(const core::Team& team)
 {
     switch (wait_) {
     case Wait::nothing: // first half drift of the batch
+        if (handing_over_) {
+            have_ghosts_ = handing_over_ = false;
+            dynamics_.dissolve(team);
+            pack_leavers();
+            wait_ = Wait::leaver_lengths;
+            return true;
+        }
         if (sub_steps_ == 0) return false;
         shared_[0] = dynamics_.start(team);
         time_ = 0.5 * dynamics_.step();
@@ -58,6 +67,11 @@ bool ParticleStepper::work(const core::Team& team)
         dynamics_.build(team);
         sub_step(team);
         break;
+    case Wait::leaver_lengths: wait_ = Wait::leavers; break;
+    case Wait::leavers:
+        take_arrivals();
+        wait_ = Wait::nothing;
+        break;
     }
     return wait_ != Wait::nothing;
 }
@@ -67,7 +81,10 @@ void ParticleStepper::after_speeds(const core::Team& team)
     core::require<core::NumericsError>(std::isfinite(shared_[0]),
                                        core::text("a particle has no finite speed in sub-step ", sub_step_, ": make the step smaller"));
     dynamics_.account(shared_[0], time_);
-    if (have_ghosts_) ghosts_.take_motion(dynamics_.particles);
+    if (have_ghosts_) {
+        ghosts_.take_motion(dynamics_.particles);
+        dynamics_.ghosts_moved();
+    }
     if (sub_step_ == sub_steps_) {
         sub_steps_ = 0;
         wait_ = Wait::nothing;
@@ -90,11 +107,18 @@ void ParticleStepper::start_rebuild(const core::Team& team)
 {
     have_ghosts_ = false;
     dynamics_.dissolve(team);
-    auto& particles = dynamics_.particles;
+    const auto& particles = dynamics_.particles;
     const auto bounds = dynamics_.bounds();
-    shared_ = {greatest_radius(particles), -bounds.low[0], -bounds.low[1], -bounds.low[2], bounds.high[0], bounds.high[1],
-               bounds.high[2]};
+    shared_ = {greatest_radius(particles), -bounds.low[0], -bounds.low[1], -bounds.low[2], bounds.high[0], bounds.high[1], bounds.high[2]};
     count_ = double(particles.owned);
+    pack_leavers();
+    wait_ = Wait::extent;
+}
+
+/// Particles that other ranks own are packed for them. @pre dissolved
+void ParticleStepper::pack_leavers()
+{
+    auto& particles = dynamics_.particles;
     exchange_.start(ranks_);
     std::vector<int> stay;
     for (int i = 0; i < particles.owned; ++i) {
@@ -106,13 +130,17 @@ void ParticleStepper::start_rebuild(const core::Team& team)
         particles.reorder(stay);
         dynamics_.history.reorder(stay);
     }
-    wait_ = Wait::extent;
+}
+
+void ParticleStepper::take_arrivals()
+{
+    for (const auto& bytes : exchange_.incoming) core::unpack_particles(bytes, dynamics_.particles, dynamics_.history);
 }
 
 void ParticleStepper::sort_particles(const core::Team&)
 {
     auto& particles = dynamics_.particles;
-    for (const auto& bytes : exchange_.incoming) core::unpack_particles(bytes, particles, dynamics_.history);
+    take_arrivals();
     dynamics_.set_reach(shared_[0]);
     const core::Bounds bounds{-core::Vec3(shared_[1], shared_[2], shared_[3]), core::Vec3(shared_[4], shared_[5], shared_[6])};
     dynamics_.sort(core::make_bin_lattice(dynamics_.domain(), bounds, dynamics_.cutoff(), std::int64_t(count_)));
@@ -152,9 +180,11 @@ void ParticleStepper::post(const core::Communicator& communicator, core::Pending
         exchange_.post_lengths(communicator, pending);
         break;
     case Wait::bin_lengths:
+    case Wait::leaver_lengths:
     case Wait::ghost_lengths: exchange_.post_lengths(communicator, pending); break;
     case Wait::migrants:
     case Wait::bins:
+    case Wait::leavers:
     case Wait::ghosts: exchange_.post_data(communicator, pending); break;
     case Wait::nothing: break;
     }

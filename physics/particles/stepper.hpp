@@ -25,7 +25,10 @@ public:
 
     /// Starts a batch of `sub_steps` sub-steps; no messages.
     void begin(const Motion& motion, int sub_steps);
-    /// Goes on to where messages of others are needed. @returns false when the batch is finished.
+    /// Starts bringing every particle to the rank that owns the place where it lies, in a periodic domain back inside; no
+    /// messages. Lists and ghosts are dropped. @pre the batch is finished
+    void hand_over();
+    /// Goes on to where messages of others are needed. @returns false when the batch or the handing over is finished.
     /// @throws core::NumericsError on all ranks alike if a particle has no finite speed.
     bool work(const core::Team& team);
     /// Sends and asks for what the next piece of work needs.
@@ -33,10 +36,12 @@ public:
 
 private:
     /// What the messages in flight are for.
-    enum class Wait { speeds, displacement, extent, migrants, bin_lengths, bins, ghost_lengths, ghosts, nothing };
+    enum class Wait { speeds, displacement, extent, migrants, bin_lengths, bins, ghost_lengths, ghosts, leaver_lengths, leavers, nothing };
 
     void after_speeds(const core::Team& team);
     void start_rebuild(const core::Team& team);
+    void pack_leavers();
+    void take_arrivals();
     void sort_particles(const core::Team& team);
     void choose_ghosts();
     void sub_step(const core::Team& team);
@@ -50,7 +55,7 @@ private:
     int sub_step_ = 0, sub_steps_ = 0;
     double time_ = 0.0;            // that the fastest particle has gone since the last account
     Wait wait_ = Wait::nothing;
-    bool have_ghosts_ = false;
+    bool have_ghosts_ = false, handing_over_ = false;
     std::array<double, 7> shared_; // greatest values of all ranks
     double count_ = 0.0;           // particles of all ranks
 };

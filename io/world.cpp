@@ -5,6 +5,7 @@
 #include "io/physics_builder.hpp"
 #include "io/world_grains.hpp"
 #include "physics/particles/advance.hpp"
+#include "physics/steps/grain_job.hpp"
 #include <cmath>
 
 namespace io {
@@ -44,7 +45,7 @@ World::World(const Scene& scene, const core::Communicator& ranks)
 void World::make_grains()
 {
     locator_.emplace(mesh_);
-    grains_.emplace(make_dynamics(scene_));
+    grains_.emplace(make_dynamics(scene_, mesh_));
     const physics::OwnerOf owner_of = [this](const core::Vec3& x) { return this->owner_of(x); };
     add_initial_particles(scene_, owner_of, ranks_.rank(), *grains_);
     stepper_.emplace(*grains_, owner_of, ranks_.rank(), ranks_.size());
@@ -68,7 +69,9 @@ void World::settle(const core::Team& team)
     if (!grains_ || scene_.run.settle <= 0) return;
     const int sub_steps = int(std::ceil(scene_.run.settle / grains_->step()));
     const physics::DryMotion motion{settling_gravity(scene_)};
-    physics::settle(*stepper_, motion, sub_steps, team, ranks_.duplicate());
+    const core::Communicator messages = ranks_.duplicate();
+    physics::settle(*stepper_, motion, sub_steps, team, messages);
+    physics::hand_over(*stepper_, team, messages);
 }
 
 void World::declare()
@@ -81,16 +84,8 @@ void World::declare()
         dry_grains_.emplace("grains", *grains_);
         graph_.whole(
             "move grains",
-            [this](tasks::Lane& lane, physics::ParticleDynamics&) -> tasks::Job {
-                stepper_->begin(physics::DryMotion{gravity_of(scene_)}, sub_steps_);
-                while (stepper_->work(lane.team())) {
-                    core::Pending pending;
-                    {
-                        const auto mpi = lane.messages();
-                        stepper_->post(lane.communicator(), pending);
-                    }
-                    co_await lane.arrive(pending);
-                }
+            [this](tasks::Lane& lane, physics::ParticleDynamics&) {
+                return physics::move_grains(lane, *stepper_, physics::DryMotion{gravity_of(scene_)}, sub_steps_);
             },
             tasks::updates(*dry_grains_));
         graph_.sink(*dry_grains_);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #include "io/world_grains.hpp"
+#include "core/grid/surface.hpp"
 #include "io/grid_builder.hpp"
 #include "io/physics_builder.hpp"
 #include "physics/particles/insertion.hpp"
@@ -50,14 +51,29 @@ std::vector<physics::Group> groups_of(const Scene& scene, const core::Domain& do
     return groups;
 }
 
+/// The boundary of the mesh, continued through its periods by more than any particle reaches.
+physics::WallSurface wall_surface(const Scene& scene, const core::Mesh& mesh, const core::Domain& domain)
+{
+    constexpr double smooth_angle = 0.6; // [rad]; a pipe of 12 faces or more is round, the edges of a box are sharp
+    double largest = 0;
+    for (const Species& s : scene.particles) largest = std::max(largest, s.diameter);
+    core::Surface surface = core::boundary_surface(mesh, wall_names(mesh), 2 * largest);
+    for (core::Vec3& x : surface.vertices) x -= domain.origin;
+    return {surface.vertices, surface.quads, smooth_angle};
+}
+
 bool wanted(Switch choice, bool otherwise) { return choice == Switch::automatic ? otherwise : choice == Switch::on; }
 
 } // namespace
 
-physics::ParticleDynamics make_dynamics(const Scene& scene)
+physics::ParticleDynamics make_dynamics(const Scene& scene, const core::Mesh& mesh)
 {
     const physics::ParticleParameters parameters = particle_parameters(scene);
-    return {make_domain(scene.grid), parameters, primitive_walls(scene.grid), sub_step(scene, parameters)};
+    const bool faces = scene.contact->walls == WallShape::faces;
+    physics::ParticleDynamics dynamics(make_domain(scene.grid), parameters, faces ? std::vector<physics::Wall>{} : primitive_walls(scene.grid),
+                                       sub_step(scene, parameters));
+    if (faces) dynamics.set_surface(wall_surface(scene, mesh, dynamics.domain()));
+    return dynamics;
 }
 
 void add_initial_particles(const Scene& scene, const physics::OwnerOf& owner_of, int rank, physics::ParticleDynamics& dynamics)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The particles of a scene: their laws, their walls, their places at the start.
+#include "core/grid/mesh.hpp"
 #include "io/scene.hpp"
 #include "physics/coupling/parameters.hpp"
 #include "physics/particles/stepper.hpp"
@@ -9,7 +10,7 @@
 namespace io {
 
 /// The dynamics without particles, with the sub-step that the contacts allow.
-[[nodiscard]] physics::ParticleDynamics make_dynamics(const Scene& scene);
+[[nodiscard]] physics::ParticleDynamics make_dynamics(const Scene& scene, const core::Mesh& mesh);
 
 /// Places all particles and keeps those of this rank.
 void add_initial_particles(const Scene& scene, const physics::OwnerOf& owner_of, int rank, physics::ParticleDynamics& dynamics);

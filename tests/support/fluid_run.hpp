@@ -22,15 +22,16 @@ using ScalarFunction = std::function<double(const Vec3&)>;
 
 class FluidRun {
 public:
-    explicit FluidRun(core::MultiBlock grid, const physics::FluidParameters& parameters, const std::string& executor = "serial")
-        : ranks_(core::Communicator::world()), mesh_(std::move(grid), ranks_.rank(), ranks_.size()),
+    explicit FluidRun(core::MultiBlock grid, const physics::FluidParameters& parameters, const tasks::ExecutorOptions& executor = {.kind = "serial"},
+                      const core::Communicator& ranks = core::Communicator::world())
+        : ranks_(ranks), mesh_(std::move(grid), ranks_.rank(), ranks_.size()),
           filler_(mesh_, ranks_, core::HaloShape::full), step_(mesh_, ranks_, filler_, parameters), graph_(layout(mesh_), ranks_)
     {
         graph_.fill_halos_with(filler_);
         step_.declare(graph_);
         graph_.sink(step_.state().flux);
         plan_ = std::make_unique<tasks::Plan>(graph_.compile({"budget"}));
-        executor_ = tasks::make_executor({.kind = executor}, *plan_);
+        executor_ = tasks::make_executor(executor, *plan_);
     }
 
     /// Sets the state at time 0; fluxes are interpolated.

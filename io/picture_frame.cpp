@@ -29,7 +29,7 @@ Camera side_camera(const Scene& scene, const PictureFrame& frame, double aspect)
     const core::Vec3 low = scene.grid.low(), high = scene.grid.high();
     const core::Vec3 middle = frame.axes * (0.5 * (low + high));
     const core::Vec3 half = frame.axes.cwiseAbs() * (0.5 * (high - low));
-    return fit_camera(middle - half, middle + half, {-0.42, -0.27, -0.87}, aspect);
+    return fit_camera(middle - half, middle + half, {-0.36, -0.25, -0.90}, aspect);
 }
 
 } // namespace io

@@ -55,7 +55,7 @@ struct LinearContact {
 /// The spring follows the turn of the contact at constant length; it grows by the slip of the last step, seen in the
 /// plane of the time of the velocities. A sliding contact stores the spring that carries the whole friction force and
 /// has no tangential dashpot.
-inline ContactOutput LinearContact::operator()(const ContactInput& c) const
+[[gnu::always_inline]] inline ContactOutput LinearContact::operator()(const ContactInput& c) const
 {
     const double vn = c.vx * c.mx + c.vy * c.my + c.vz * c.mz;
     const double normal = std::max(0.0, stiffness * c.overlap + damping * c.root_mass * vn);

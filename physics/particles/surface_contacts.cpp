@@ -107,6 +107,8 @@ Vec3 SurfaceContacts::take_spring(std::vector<Contact>& old, const Vec3& normal)
 
 void SurfaceContacts::add_forces(const core::ParticleSet& p, const ContactLaws& laws, int chunk, ForceSums& sums)
 {
+    const ParticleColumns columns(p);
+    const SumColumns add(sums);
     std::vector<SurfaceHit> hits;
     std::vector<Contact> old;
     for (int k = chunk_begin_[index_of(chunk)]; k < chunk_begin_[index_of(chunk) + 1]; ++k) {
@@ -122,13 +124,13 @@ void SurfaceContacts::add_forces(const core::ParticleSet& p, const ContactLaws& 
             const Vec3 way = 0.5 * law.step * p.velocity_of(n.particle);
             const WallMeeting at = meeting(-hit.normal, -surface_.normal_before(hit, centre, way), hit.depth);
             const Vec3 spring = take_spring(old, -hit.normal);
-            ContactInput in = wall_input(p, i, at);
+            ContactInput in = wall_input(columns, i, at);
             in.sx = spring[0];
             in.sy = spring[1];
             in.sz = spring[2];
             const ContactOutput out = law(in);
             n.contacts.push_back({-hit.normal, Vec3(out.sx, out.sy, out.sz)});
-            add_wall_force(out, at, i - index_of(sums.begin), sums);
+            add_wall_force(out, at, i - index_of(sums.begin), add);
         }
     }
 }

@@ -17,8 +17,28 @@ struct WallMeeting {
     return {normal[0], normal[1], normal[2], normal_before[0], normal_before[1], normal_before[2], depth};
 }
 
+/// Columns of the particles as plain pointers, for vector code.
+struct ParticleColumns {
+    const double *x, *y, *z, *vx, *vy, *vz, *wx, *wy, *wz, *radius, *mass;
+    explicit ParticleColumns(const core::ParticleSet& p)
+        : x(p.position[0].data()), y(p.position[1].data()), z(p.position[2].data()), vx(p.velocity[0].data()),
+          vy(p.velocity[1].data()), vz(p.velocity[2].data()), wx(p.spin[0].data()), wy(p.spin[1].data()), wz(p.spin[2].data()),
+          radius(p.radius.data()), mass(p.mass.data())
+    {
+    }
+};
+
+struct SumColumns {
+    double *fx, *fy, *fz, *tx, *ty, *tz;
+    explicit SumColumns(ForceSums& s)
+        : fx(s.force[0].data()), fy(s.force[1].data()), fz(s.force[2].data()), tx(s.torque[0].data()), ty(s.torque[1].data()),
+          tz(s.torque[2].data())
+    {
+    }
+};
+
 /// The input of the contact law of particle i, but for the spring.
-inline ContactInput wall_input(const core::ParticleSet& p, std::size_t i, const WallMeeting& at)
+[[gnu::always_inline]] inline ContactInput wall_input(const ParticleColumns& p, std::size_t i, const WallMeeting& at)
 {
     ContactInput in;
     in.overlap = p.radius[i] - at.depth;
@@ -28,26 +48,26 @@ inline ContactInput wall_input(const core::ParticleSet& p, std::size_t i, const 
     in.mx = at.mx;
     in.my = at.my;
     in.mz = at.mz;
-    in.vx = p.velocity[0][i];
-    in.vy = p.velocity[1][i];
-    in.vz = p.velocity[2][i];
-    in.wx = at.depth * p.spin[0][i];
-    in.wy = at.depth * p.spin[1][i];
-    in.wz = at.depth * p.spin[2][i];
-    in.twist = 0.5 * (p.spin[0][i] * at.nx + p.spin[1][i] * at.ny + p.spin[2][i] * at.nz);
+    in.vx = p.vx[i];
+    in.vy = p.vy[i];
+    in.vz = p.vz[i];
+    in.wx = at.depth * p.wx[i];
+    in.wy = at.depth * p.wy[i];
+    in.wz = at.depth * p.wz[i];
+    in.twist = 0.5 * (p.wx[i] * at.nx + p.wy[i] * at.ny + p.wz[i] * at.nz);
     in.root_mass = std::sqrt(p.mass[i]);
     return in;
 }
 
 /// Adds the force of one contact to the sums of particle k of the chunk.
-inline void add_wall_force(const ContactOutput& f, const WallMeeting& at, std::size_t k, ForceSums& sums)
+[[gnu::always_inline]] inline void add_wall_force(const ContactOutput& f, const WallMeeting& at, std::size_t k, const SumColumns& sums)
 {
-    sums.force[0][k] += f.fx;
-    sums.force[1][k] += f.fy;
-    sums.force[2][k] += f.fz;
-    sums.torque[0][k] += at.depth * (at.ny * f.fz - at.nz * f.fy);
-    sums.torque[1][k] += at.depth * (at.nz * f.fx - at.nx * f.fz);
-    sums.torque[2][k] += at.depth * (at.nx * f.fy - at.ny * f.fx);
+    sums.fx[k] += f.fx;
+    sums.fy[k] += f.fy;
+    sums.fz[k] += f.fz;
+    sums.tx[k] += at.depth * (at.ny * f.fz - at.nz * f.fy);
+    sums.ty[k] += at.depth * (at.nz * f.fx - at.nx * f.fz);
+    sums.tz[k] += at.depth * (at.nx * f.fy - at.ny * f.fx);
 }
 
 } // namespace physics

@@ -20,7 +20,7 @@ struct PlaneMeeting {
     {
     }
     /// @param half  The way of the last half step [m].
-    WallMeeting operator()(double x, double y, double z, double, double, double) const
+    [[gnu::always_inline]] WallMeeting operator()(double x, double y, double z, double, double, double) const
     {
         return {nx, ny, nz, nx, ny, nz, (px - x) * nx + (py - y) * ny + (pz - z) * nz};
     }
@@ -33,7 +33,7 @@ struct CylinderMeeting {
     {
     }
     /// @param hx,hy,hz  The way of the last half step [m].
-    WallMeeting operator()(double x, double y, double z, double hx, double hy, double hz) const
+    [[gnu::always_inline]] WallMeeting operator()(double x, double y, double z, double hx, double hy, double hz) const
     {
         const double dx = x - px, dy = y - py, dz = z - pz;
         const double along = dx * ax + dy * ay + dz * az, h_along = hx * ax + hy * ay + hz * az;
@@ -48,6 +48,38 @@ struct CylinderMeeting {
 
 PlaneMeeting meeting_of(const PlaneWall& w) { return PlaneMeeting(w); }
 CylinderMeeting meeting_of(const CylinderWall& w) { return CylinderMeeting(w); }
+
+/// The contacts of one wall: particles, no two alike, and springs.
+struct WallColumns {
+    const int* particle;
+    double *sx, *sy, *sz;
+};
+
+/// Contacts [begin, end); law_of(i) is the law of particle i.
+template <class Meet, class LawOf>
+void run_contacts(const core::ParticleSet& p, const WallColumns& wall, int begin, int end, const Meet meet, const LawOf law_of,
+                  ForceSums& sums)
+{
+    const ParticleColumns columns(p);
+    const SumColumns add(sums);
+    const auto first = index_of(sums.begin);
+#pragma omp simd
+    for (int k = begin; k < end; ++k) {
+        const auto i = index_of(wall.particle[k]);
+        const LinearContact& law = law_of(i);
+        const double half = 0.5 * law.step;
+        const WallMeeting at = meet(columns.x[i], columns.y[i], columns.z[i], half * columns.vx[i], half * columns.vy[i], half * columns.vz[i]);
+        ContactInput in = wall_input(columns, i, at);
+        in.sx = wall.sx[k];
+        in.sy = wall.sy[k];
+        in.sz = wall.sz[k];
+        const ContactOutput out = law(in);
+        wall.sx[k] = out.sx;
+        wall.sy[k] = out.sy;
+        wall.sz[k] = out.sz;
+        add_wall_force(out, at, i - first, add);
+    }
+}
 
 } // namespace
 
@@ -106,26 +138,16 @@ void WallContacts::add_forces(const core::ParticleSet& p, const ContactLaws& law
 {
     for (std::size_t w = 0; w < walls_.size(); ++w) {
         auto& list = lists_[w];
+        const int begin = list.chunk_begin[index_of(chunk)], end = list.chunk_begin[index_of(chunk) + 1];
+        const WallColumns columns{list.particle.data(), list.spring[0].data(), list.spring[1].data(), list.spring[2].data()};
         std::visit(
             [&](const auto& wall) {
                 const auto meet = meeting_of(wall);
-                const int end = list.chunk_begin[index_of(chunk) + 1];
-                for (auto k = index_of(list.chunk_begin[index_of(chunk)]); k < index_of(end); ++k) {
-                    const auto i = index_of(list.particle[k]);
-                    const LinearContact& law = laws.size() == 1 ? laws.front() : laws[index_of(p.species[i])];
-                    const double half = 0.5 * law.step;
-                    const WallMeeting at = meet(p.position[0][i], p.position[1][i], p.position[2][i], half * p.velocity[0][i],
-                                            half * p.velocity[1][i], half * p.velocity[2][i]);
-                    ContactInput in = wall_input(p, i, at);
-                    in.sx = list.spring[0][k];
-                    in.sy = list.spring[1][k];
-                    in.sz = list.spring[2][k];
-                    const ContactOutput out = law(in);
-                    list.spring[0][k] = out.sx;
-                    list.spring[1][k] = out.sy;
-                    list.spring[2][k] = out.sz;
-                    add_wall_force(out, at, i - index_of(sums.begin), sums);
-                }
+                if (laws.size() == 1)
+                    run_contacts(p, columns, begin, end, meet, [law = laws.front()](std::size_t) -> const LinearContact& { return law; }, sums);
+                else
+                    run_contacts(p, columns, begin, end, meet,
+                                 [&](std::size_t i) -> const LinearContact& { return laws[index_of(p.species[i])]; }, sums);
             },
             walls_[w]);
     }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #include "physics/fluid/advection_lcsi.hpp"
+#include "core/grid/halo_map.hpp"
 #include "physics/fluid/hermite.hpp"
 
 #include <algorithm>
@@ -32,12 +33,17 @@ struct Weights {
     }
 };
 
-void fill_hermite(const double* displacement, const unsigned char* linear, int cells, Weights<7>& weights)
+void fill_hermite(const double* displacement, int cells, Weights<7>& weights)
 {
 #pragma omp simd
     for (int l = 0; l < cells; ++l) hermite_weights(-displacement[l], &weights.w[0][l], chunk);
+}
+
+/// Replaces the weights of the chosen cells by linear ones.
+void make_linear(const double* displacement, const unsigned char* chosen, int cells, Weights<7>& weights)
+{
     for (int l = 0; l < cells; ++l)
-        if (linear[l]) linear_weights(-displacement[l], &weights.w[0][l], chunk);
+        if (chosen[l]) linear_weights(-displacement[l], &weights.w[0][l], chunk);
 }
 
 /// Weights of the points -1, 0, 1 for linear interpolation at -displacement / 2.
@@ -169,16 +175,33 @@ void trajectories(core::VectorView<const double> index_velocity, double dt, core
     });
 }
 
+std::array<bool, 3> singular_axes(const core::Topology& topology, core::BlockId block)
+{
+    std::array<bool, 3> axes{};
+    const core::Extents n = topology.cells[std::size_t(block)];
+    for (const core::HaloRow& row : core::halo_rows(topology, block, 1, core::HaloShape::full)) {
+        if (row.sources.size() < 2) continue;
+        for (int m = 0; m < 3; ++m)
+            if (row.cell[m] >= 0 && row.cell[m] < n[m]) axes[std::size_t(m)] = true;
+    }
+    return axes;
+}
+
 void advect(const core::BlockGeometry& geometry, core::VectorView<const double> q,
-            core::VectorView<const double> displacement, core::VectorView<double> out)
+            core::VectorView<const double> displacement, std::array<bool, 3> singular, core::VectorView<double> out)
 {
     const auto near_singular = geometry.near_singular.view();
+    // Across the edges: linear along every axis unless all singular edges run along it.
+    const bool one_axis = int(singular[0]) + int(singular[1]) + int(singular[2]) == 1;
     for_each_chunk(geometry.cells, [&](core::Index3 first, int cells) {
         Window<7> window;
         const auto row = [&](const auto& view) { return view.row(first.j, first.k) + first.i; };
-        fill_hermite(row(displacement.x), row(near_singular), cells, window.i);
-        fill_hermite(row(displacement.y), row(near_singular), cells, window.j);
-        fill_hermite(row(displacement.z), row(near_singular), cells, window.k);
+        const std::array weights{&window.i, &window.j, &window.k};
+        for (int m = 0; m < 3; ++m) {
+            const double* d = row(displacement.component(m));
+            fill_hermite(d, cells, *weights[std::size_t(m)]);
+            if (!one_axis || !singular[std::size_t(m)]) make_linear(d, row(near_singular), cells, *weights[std::size_t(m)]);
+        }
         Chunk sum;
         window.apply(q, first, cells, sum);
         for (int c = 0; c < 3; ++c) std::copy_n(sum.value[c], cells, row(out.component(c)));

@@ -3,6 +3,7 @@
 #pragma once
 // Semi-Lagrangian advection in index space (LCSI): where the water of a cell came from, and what it carried.
 #include "core/grid/geometry.hpp"
+#include "core/grid/topology.hpp"
 
 namespace physics {
 
@@ -19,12 +20,18 @@ void index_velocity(const core::BlockGeometry& geometry, core::VectorView<const 
 /// @param[out] displacement  Interior [cells].
 void trajectories(core::VectorView<const double> index_velocity, double dt, core::VectorView<double> displacement);
 
-/// q at the departure points: tensor product of six-point Hermite interpolation; linear where the six points would reach
-/// round a singular edge.
+/// Axes along which the singular edges of a block run (edges where three or five blocks meet). Stencils may have six points
+/// along them, but not across.
+/// @param block  Global id.
+[[nodiscard]] std::array<bool, 3> singular_axes(const core::Topology& topology, core::BlockId block);
+
+/// q at the departure points: tensor product of six-point Hermite interpolation; where the six points would reach round a
+/// singular edge, linear in the directions across it.
 /// @param q             Three halo layers.
+/// @param singular      Of singular_axes().
 /// @param displacement  At most one cell in each direction.
 /// @source  NUMERICS A5 (after Ushijima 1994): the member of the family that amplifies no mode.
 void advect(const core::BlockGeometry& geometry, core::VectorView<const double> q,
-            core::VectorView<const double> displacement, core::VectorView<double> out);
+            core::VectorView<const double> displacement, std::array<bool, 3> singular, core::VectorView<double> out);
 
 } // namespace physics

@@ -19,6 +19,7 @@ FluidStep::FluidStep(const core::Mesh& mesh, const core::Communicator& ranks, ta
 {
     if (parameters_.viscosity > 0)
         viscosity_system_ = std::make_unique<ViscositySystem>(SystemContext{mesh_, walls_, halos}, pressure_system_.layout(), parameters_.tolerances);
+    for (const core::BlockId b : mesh.own()) singular_axes_.push_back(singular_axes(mesh.topology(), b));
     state_.velocity.allocate();
     state_.velocity_before.allocate();
     state_.pressure.allocate();
@@ -131,7 +132,7 @@ void FluidStep::declare_advection(tasks::StageGraph& graph)
         reads(f.index_velocity, clock_), writes(f.displacement));
     graph.each_block(
         "advect velocity",
-        [this](LocalBlock b, Vectors q, Vectors displacement, VectorView<double> out) { advect(geometry(b), q, displacement, out); },
+        [this](LocalBlock b, Vectors q, Vectors displacement, VectorView<double> out) { advect(geometry(b), q, displacement, singular_axes_[std::size_t(b)], out); },
         reads(halo(f.source, 3), f.displacement), writes(f.advected));
 }
 

@@ -54,6 +54,7 @@ private:
     const core::Mesh& mesh_;
     FluidParameters parameters_;
     std::vector<BlockWalls> walls_;
+    std::vector<std::array<bool, 3>> singular_axes_; ///< of each block of this rank
     FluidState state_;
     FluidFields fields_;
     tasks::Part<FluidClock> clock_;

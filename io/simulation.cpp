@@ -72,7 +72,7 @@ void Simulation::report_plan()
 
 StopReason Simulation::run()
 {
-    const double until = world_.scene().run.until;
+    const double until = options_.until.value_or(world_.scene().run.until);
     StopRequests requests(directory_.stop_file(), world_.scene().run.wall_clock);
     Progress progress(world_.time(), until, console_, log_);
     StopReason reason = StopReason::none;

@@ -7,8 +7,6 @@
 namespace core {
 namespace {
 
-constexpr double inside_tolerance = 1e-10; // points on a face belong to the cell that is asked first
-
 struct Bounds {
     Vec3 low = Vec3::Constant(std::numeric_limits<double>::max());
     Vec3 high = Vec3::Constant(std::numeric_limits<double>::lowest());
@@ -28,6 +26,13 @@ Bounds bounds_of(const Vertices& v, Index3 c)
 }
 
 double excess(double xi) { return xi < 0 ? -xi : xi > 1 ? xi - 1 : 0; }
+
+/// Well inside a cell, at least `margin` from its faces: then no other cell holds the point.
+bool well_inside(const Vec3& xi)
+{
+    constexpr double margin = 1e-6;
+    return xi.minCoeff() > margin && xi.maxCoeff() < 1 - margin;
+}
 
 } // namespace
 
@@ -92,38 +97,37 @@ std::optional<Location> Locator::find(const Vec3& x) const
     return best;
 }
 
-std::optional<Location> Locator::walk(Vec3 x, Location at, int steps) const
+std::optional<Location> Locator::walk(const Vec3& x, Location at, int steps) const
 {
     for (; steps > 0; --steps) {
         // Always from the middle: the bits of xi must not depend on the way that led to the cell.
         const auto xi = TrilinearCell(mesh_->vertices(at.block), at.cell).inverse(x, Vec3::Constant(0.5));
         if (!xi) return std::nullopt;
-        int axis = -1;
-        double furthest = inside_tolerance;
-        for (int m = 0; m < 3; ++m) {
-            const double out = excess((*xi)[m]);
-            if (out <= inside_tolerance) continue;
-            const bool high = (*xi)[m] > 1;
-            const bool last = at.cell[m] == (high ? mesh_->cells(at.block)[m] - 1 : 0);
-            if (last && !mesh_->topology().neighbour(at.block, side_of(m, high))) {
-                if (out > tolerance_cells) return std::nullopt;
-            } else if (out > furthest) {
-                furthest = out;
-                axis = m;
-            }
-        }
-        if (axis < 0) {
-            at.xi = xi->cwiseMax(0.0).cwiseMin(1.0);
+        if (well_inside(*xi)) {
+            at.xi = *xi;
             return at;
         }
+        int axis = 0;
+        for (int m = 1; m < 3; ++m)
+            if (excess((*xi)[m]) > excess((*xi)[axis])) axis = m;
+        if (excess((*xi)[axis]) == 0) return std::nullopt;
         const bool high = (*xi)[axis] > 1;
         at.cell[axis] += high ? 1 : -1;
-        if (!mesh_->cells(at.block).contains(at.cell)) {
-            const auto& beyond = *mesh_->topology().neighbour(at.block, side_of(axis, high));
-            at.cell = beyond.map(at.cell);
-            at.block = beyond.block;
-            x += beyond.shift;
-        }
+        if (mesh_->cells(at.block).contains(at.cell)) continue;
+        const auto& beyond = mesh_->topology().neighbour(at.block, side_of(axis, high));
+        if (!beyond || !beyond->shift.isZero(0)) return std::nullopt;
+        at.cell = beyond->map(at.cell);
+        at.block = beyond->block;
+    }
+    return std::nullopt;
+}
+
+std::optional<Location> Locator::find_beyond_seams(const Vec3& x) const
+{
+    for (const Interface& seam : mesh_->topology().interfaces) {
+        if (seam.shift.isZero(0)) continue;
+        for (const Vec3& image : {Vec3(x + seam.shift), Vec3(x - seam.shift)})
+            if (auto at = find(image)) return at;
     }
     return std::nullopt;
 }
@@ -133,7 +137,8 @@ std::optional<Location> Locator::find(const Vec3& x, const Location& near) const
     constexpr int most_steps = 12;
     if (near.block >= 0)
         if (auto at = walk(x, near, most_steps)) return at;
-    return find(x);
+    if (auto at = find(x)) return at;
+    return find_beyond_seams(x);
 }
 
 } // namespace core

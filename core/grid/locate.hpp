@@ -20,7 +20,8 @@ public:
     /// The cell of `x` [m], found from nothing. A point beyond a boundary by less than `tolerance_cells` of a cell counts
     /// as on it (curved walls bulge beyond their flat faces). Nothing if no cell holds it.
     [[nodiscard]] std::optional<Location> find(const Vec3& x) const;
-    /// The same, started from a place nearby: fast when x moved by less than a cell or so.
+    /// The same to the last bit, started from a place nearby: fast when x moved by less than a cell or so. A point beyond a
+    /// periodic side is found at the other end.
     [[nodiscard]] std::optional<Location> find(const Vec3& x, const Location& near) const;
     /// The point at a location [m].
     [[nodiscard]] Vec3 position(const Location& at) const;
@@ -34,7 +35,8 @@ private:
         std::vector<int> first;                         ///< of each bin in `cells`
         std::vector<std::pair<BlockId, Index3>> cells; ///< whose bounding boxes touch the bin
     };
-    [[nodiscard]] std::optional<Location> walk(Vec3 x, Location at, int steps) const;
+    [[nodiscard]] std::optional<Location> walk(const Vec3& x, Location at, int steps) const;
+    [[nodiscard]] std::optional<Location> find_beyond_seams(const Vec3& x) const;
     [[nodiscard]] Index3 bin_of(const Vec3& x) const;
 
     const Mesh* mesh_; // never null

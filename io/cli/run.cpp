@@ -6,6 +6,7 @@
 #include "io/cli/parallel_options.hpp"
 #include "io/scene_reader.hpp"
 #include "io/simulation.hpp"
+#include "io/units.hpp"
 #include <memory>
 
 namespace io {
@@ -24,11 +25,20 @@ RunDirectory::Existing existing(const Arguments& a)
     return a.restart ? RunDirectory::Existing::resume : a.force ? RunDirectory::Existing::replace : RunDirectory::Existing::refuse;
 }
 
+/// The end that --until asks for [s].
+std::optional<double> chosen_end(const std::string& until)
+{
+    if (until.empty()) return std::nullopt;
+    const QuantityResult end = Units().read(until, "s");
+    core::require<core::ConfigError>(end.error.empty(), "--until: " + end.error + (end.hint.empty() ? "" : "; " + end.hint));
+    core::require<core::ConfigError>(end.value > 0, "--until: the end must lie after t = 0");
+    return end.value;
+}
+
 int run(const Arguments& a, Invocation invocation)
 {
-    auto overrides = a.overrides;
-    if (!a.until.empty()) overrides.push_back("run.until=" + a.until);
-    const Scene scene = read_scene(a.scene, overrides);
+    const Scene scene = read_scene(a.scene, a.overrides);
+    const std::optional<double> until = chosen_end(a.until);
     if (const auto code = begin_parallel(a.parallel, invocation)) return *code;
     const core::MpiSession session(invocation.argc, invocation.argv);
     const core::Communicator ranks = core::Communicator::world();
@@ -38,6 +48,7 @@ int run(const Arguments& a, Invocation invocation)
     options.executor = a.parallel.executor;
     options.threads = chosen_threads(a.parallel, ranks.size());
     options.trace = a.trace;
+    options.until = until;
     options.command = {invocation.argv, invocation.argv + invocation.argc};
     Simulation simulation(scene, ranks, options);
     return simulation.run() == StopReason::none ? exit_success : exit_stopped_with_checkpoint;
@@ -50,7 +61,7 @@ Command run_command()
     auto a = std::make_shared<Arguments>(); // shared: the options and run() both need it
     std::vector<Option> options{{"scene", "A scene.yaml or its folder", &a->scene, true},
                                 {"-o,--output", "Run directory; runs/<scene> by default", &a->output},
-                                {"--until", "Simulated time at which to end, such as '0.2 s'", &a->until},
+                                {"--until", "Simulated time at which to end instead of run.until, such as '0.2 s'", &a->until},
                                 {"--restart", "Go on from the newest good checkpoint, on any number of ranks", &a->restart},
                                 {"--force", "Replace an earlier run", &a->force},
                                 {"--trace", "Write trace.json for ui.perfetto.dev and sum it up", &a->trace},

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// What metrics.csv says about each part of a world. All groups refer to the world and must not outlive it.
+#include "io/world_metrics.hpp"
+
+namespace io {
+
+/// time [s], step, dt [s], and sub_steps where there are particles.
+[[nodiscard]] MetricGroup step_metrics(World& world);
+/// Kinetic energy [J], largest speed [m/s], divergence (net over through flux of the cells, root mean squares), iterations of
+/// the pressure in the last step.
+[[nodiscard]] MetricGroup fluid_metrics(World& world);
+/// Speed on the axis [m/s]; flow rate of fluid along the drive: mean of phi u over the domain times its section [m3/s].
+[[nodiscard]] MetricGroup drive_metrics(World& world);
+/// Their number and kinetic energy, spin included [J].
+[[nodiscard]] MetricGroup particle_metrics(World& world);
+/// Against gravity: mean and its standard error for each species, lowest and highest centre [m].
+[[nodiscard]] MetricGroup height_metrics(World& world);
+/// Volume of the solid in the cells [m3], its relative defect against the particles, largest solid fraction.
+[[nodiscard]] MetricGroup solid_metrics(World& world);
+
+} // namespace io

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#include "io/world_metrics.hpp"
+#include "io/metric_groups.hpp"
+#include "io/rank_zero.hpp"
+
+namespace io {
+
+WorldMetrics::WorldMetrics(World& world, const std::filesystem::path& file, std::optional<double> restart_time) : ranks_(world.ranks())
+{
+    if (world.coupling()) ledger_.emplace(world);
+    groups_.push_back(step_metrics(world));
+    if (world.fluid()) groups_.push_back(fluid_metrics(world));
+    if (world.fluid() && world.scene().fluid->drive) groups_.push_back(drive_metrics(world));
+    if (world.grains()) groups_.push_back(particle_metrics(world));
+    if (world.grains() && world.scene().gravity) groups_.push_back(height_metrics(world));
+    if (world.coupling()) groups_.push_back(solid_metrics(world));
+    if (ledger_)
+        groups_.push_back({{"momentum_x", "momentum_y", "momentum_z", "momentum_defect", "exchange_defect"}, [this] {
+                               const core::Vec3 sum = ledger_->totals().sum();
+                               return std::vector<double>{sum.x(), sum.y(), sum.z(), ledger_->defect(), ledger_->exchange_defect()};
+                           }});
+    on_rank_zero<core::FileError>(ranks_, [&] { writer_.emplace(file, names(), restart_time); });
+}
+
+void WorldMetrics::after_step()
+{
+    if (ledger_) ledger_->update();
+}
+
+std::vector<std::string> WorldMetrics::names() const
+{
+    std::vector<std::string> all;
+    for (const MetricGroup& group : groups_) all.insert(all.end(), group.names.begin(), group.names.end());
+    return all;
+}
+
+std::vector<double> WorldMetrics::row() const
+{
+    std::vector<double> all;
+    for (const MetricGroup& group : groups_) {
+        const auto values = group.values();
+        all.insert(all.end(), values.begin(), values.end());
+    }
+    return all;
+}
+
+void WorldMetrics::write()
+{
+    const auto values = row();
+    if (writer_) writer_->add(values);
+}
+
+void WorldMetrics::flush()
+{
+    if (writer_) writer_->flush();
+}
+
+} // namespace io

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #include "io/log_plot.hpp"
+#include "io/svg.hpp"
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
@@ -10,8 +10,9 @@
 namespace io {
 namespace {
 
+using svg::colours, svg::line, svg::text;
+
 constexpr double width = 720, height = 480, left = 86, right = 170, top = 46, bottom = 62;
-constexpr std::array<const char*, 6> colours{"#1f6f8b", "#d1603d", "#5b8c5a", "#8d5a97", "#c7a252", "#555b6e"};
 
 struct Range {
     double low = std::numeric_limits<double>::max(), high = std::numeric_limits<double>::lowest(); ///< decimal logarithms
@@ -35,23 +36,6 @@ struct Frame {
     [[nodiscard]] double px(double log_x) const { return left + (log_x - x.low) / (x.high - x.low) * (width - left - right); }
     [[nodiscard]] double py(double log_y) const { return height - bottom - (log_y - y.low) / (y.high - y.low) * (height - top - bottom); }
 };
-
-std::string escaped(const std::string& text)
-{
-    std::string out;
-    for (char c : text) out += c == '<' ? "&lt;" : c == '&' ? "&amp;" : c == '>' ? "&gt;" : std::string(1, c);
-    return out;
-}
-
-std::string text(double x, double y, const std::string& anchor, const std::string& words, const std::string& extra = "")
-{
-    return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\" {}>{}</text>\n", x, y, anchor, extra, escaped(words));
-}
-
-std::string line(double x0, double y0, double x1, double y1, const std::string& style)
-{
-    return fmt::format("<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" {}/>\n", x0, y0, x1, y1, style);
-}
 
 /// Values 1, 2, 5 times powers of ten within a range; only powers of ten where there are many.
 std::vector<double> ticks(const Range& range)
@@ -124,9 +108,7 @@ std::string to_svg(const LogPlot& plot)
             }
     frame.x.widen();
     frame.y.widen();
-    std::string out = fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" "
-                                  "font-family=\"sans-serif\" font-size=\"12\" fill=\"#222\">\n<rect width=\"{0}\" height=\"{1}\" fill=\"#fff\"/>\n",
-                                  width, height);
+    std::string out = svg::opening(width, height);
     out += axes(plot, frame);
     for (std::size_t n = 0; n < plot.slopes.size(); ++n) out += drawn(plot.slopes[n], frame, plot.curves.size() + n);
     for (std::size_t n = 0; n < plot.curves.size(); ++n) out += drawn(plot.curves[n], frame, n);

@@ -40,6 +40,7 @@ struct Command {
 [[nodiscard]] Command check_command();
 [[nodiscard]] Command plan_command();
 [[nodiscard]] Command digest_command();
+[[nodiscard]] Command view_command();
 [[nodiscard]] Command schema_command();
 [[nodiscard]] Command explain_command();
 

@@ -2,34 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Balls on walls of faces: pipes, corners, edges and joints against exact statics and motion.
 #include "core/base/error.hpp"
-#include "tests/support/particle_scene.hpp"
+#include "tests/support/wall_faces.hpp"
 #include <doctest/doctest.h>
 
+using test::Faces;
 using test::Vec3;
 
 namespace {
-
-struct Faces {
-    std::vector<Vec3> vertices;
-    std::vector<std::array<int, 4>> quads;
-};
-
-/// A pipe about the x axis, `around` by `along` faces, normals inward.
-Faces pipe(double radius, double length, int around, int along)
-{
-    Faces f;
-    for (int i = 0; i <= along; ++i)
-        for (int j = 0; j < around; ++j) {
-            const double angle = 2 * std::numbers::pi * (j + 0.3) / around;
-            f.vertices.push_back(Vec3(length * i / along, radius * std::cos(angle), radius * std::sin(angle)));
-        }
-    for (int i = 0; i < along; ++i)
-        for (int j = 0; j < around; ++j) {
-            const int a = i * around + j, b = i * around + (j + 1) % around;
-            f.quads.push_back({a, a + around, b + around, b});
-        }
-    return f;
-}
 
 /// Strips of width `size` along x, joined at z heights: corner k of the profile is (y, z).
 Faces channel(const std::vector<std::pair<double, double>>& profile, double size)
@@ -80,8 +59,8 @@ Vec3 static_force(const Faces& faces, const Vec3& centre, double radius)
 TEST_CASE("a ball rolling round inside a pipe of faces keeps its energy")
 {
     for (const int around : {32, 64, 128})
-        CHECK(rolling_energy_error(pipe(25e-3, 40e-3, around, 12), 0.27, Vec3::Zero()) < 1e-5); // 3e-6 measured; 1e-6 for each joint is wanted
-    CHECK(rolling_energy_error(pipe(25e-3, 40e-3, 64, 12), 0.27, Vec3(0.05, 0, 0)) < 1e-5);
+        CHECK(rolling_energy_error(test::pipe(25e-3, 40e-3, around, 12), 0.27, Vec3::Zero()) < 1e-5); // 3e-6 measured; 1e-6 for each joint is wanted
+    CHECK(rolling_energy_error(test::pipe(25e-3, 40e-3, 64, 12), 0.27, Vec3(0.05, 0, 0)) < 1e-5);
 }
 
 TEST_CASE("a plane of many faces is one plane, also at joints and corners")

@@ -115,3 +115,42 @@ TEST_CASE("a ball rolling round inside a cylinder keeps its energy")
     CHECK(dynamics.particles.position[0][0] == doctest::Approx(0.0));
     CHECK(std::abs(energy() - before) < 1e-3 * before); // the energy in the springs, mass v^4 / (2 k arm^2), is 3e-4 of it
 }
+
+TEST_CASE("an oblique impact that slides throughout keeps the impulse ratio of Coulomb")
+{
+    // e_t = 1 - mu (1 + e) / tan(angle to the wall's normal), spin = -5/2 mu (1 + e) v_n / R (Chung and Ooi 2011, test 4)
+    const double radius = 2.5e-3, speed = 3.9, friction = 0.092, e = 0.98;
+    const auto parameters = test::material(1e7, e, friction);
+    const double mass = 4.0 / 3.0 * std::numbers::pi * std::pow(radius, 3) * 4000;
+    const double step = physics::contact_time(parameters.walls[0], mass) / 2000;
+    for (const double degrees : {35.0, 50.0, 70.0, 85.0}) {
+        const double angle = degrees * std::numbers::pi / 180, vn = speed * std::cos(angle), vt = speed * std::sin(angle);
+        physics::ParticleDynamics dynamics({}, parameters, floor_wall, step);
+        auto ball = test::sphere(0, Vec3(0, 0, radius + vn * step), radius, 4000);
+        ball.velocity = Vec3(vt, 0, -vn);
+        dynamics.particles.add(ball);
+        test::run(dynamics, Vec3::Zero(), 2100);
+        const auto& p = dynamics.particles;
+        // gates: the first-order error of e, 2e-4 here, and the lever arm, shorter by the overlap (1 % of the radius)
+        CHECK(p.velocity[2][0] == doctest::Approx(e * vn).epsilon(1e-3));
+        CHECK(std::abs(p.velocity[0][0] / vt - (1 - friction * (1 + e) / std::tan(angle))) < 5e-4);
+        CHECK(p.spin[1][0] == doctest::Approx(2.5 * friction * (1 + e) * vn / radius).epsilon(2e-2));
+    }
+}
+
+TEST_CASE("two equal balls with opposite spins meet head-on without friction at the contact")
+{
+    // the surfaces do not move against each other (Chung and Ooi 2011, test 7): no tangential speed, the spins stay
+    physics::ParticleDynamics dynamics({}, test::material(1e6, 0.5, 0.4), {}, 1e-7);
+    for (int k = 0; k < 2; ++k) {
+        auto ball = test::sphere(k, Vec3(k * 2.0001e-3, 0, 0), 1e-3);
+        ball.velocity = Vec3(k == 0 ? 0.2 : -0.2, 0, 0);
+        ball.spin = Vec3(0, 0, k == 0 ? 300 : -300);
+        dynamics.particles.add(ball);
+    }
+    test::run(dynamics, Vec3::Zero(), 5000);
+    const auto state = test::state(dynamics.particles);
+    CHECK(state.at(0)[3] < -0.05);           // rebounded
+    CHECK(std::abs(state.at(0)[4]) < 1e-12); // rounding
+    CHECK(state.at(0)[8] == doctest::Approx(300).epsilon(1e-12));
+}

@@ -11,7 +11,7 @@ namespace {
 
 constexpr auto index_of(int i) { return std::size_t(i); }
 
-// measured: beds and pipes of 2-3 mm spheres run fastest with these
+// measured in a pipe of 16,000 kicked spheres: a flat optimum, 0.2-0.5 and 0.02-0.06 differ by less than 20 %
 constexpr double usual_skin = 0.33;      ///< Over the greatest radius.
 constexpr double usual_near_skin = 0.03;
 
@@ -96,6 +96,12 @@ void ParticleDynamics::dissolve(const core::Team& team)
                 double& x = particles.position[index_of(a)][index_of(i)];
                 x = domain_.wrapped(a, x);
             }
+}
+
+void ParticleDynamics::forget_lists()
+{
+    particles.resize_ghosts(0);
+    built_ = near_built_ = false;
 }
 
 core::Bounds ParticleDynamics::bounds() const

@@ -51,6 +51,8 @@ public:
 
     /// Moves all springs to `history`, drops ghosts and lists, and brings owned particles back into a periodic domain.
     void dissolve(const core::Team& team);
+    /// Drops ghosts and lists with all their springs: to be followed by setting particles and history anew.
+    void forget_lists();
     /// Bounds of the owned particles [m].
     [[nodiscard]] core::Bounds bounds() const;
     /// Sorts the owned particles into the bins of `lattice`. @pre dissolve()
@@ -59,7 +61,7 @@ public:
     void build(const core::Team& team);
 
     [[nodiscard]] const core::BinLattice& lattice() const { return lattice_; }
-    /// Pairs that touch now and their overlaps, for reports and tests.
+    /// All pairs that may touch before the next rebuild, for reports and tests.
     [[nodiscard]] const core::PairList& pairs() const { return pairs_; }
 
 private:

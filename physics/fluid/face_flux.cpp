@@ -85,6 +85,11 @@ void interpolated_flux(const core::BlockGeometry& geometry, const BlockWalls& wa
 {
     for (int axis = 0; axis < 3; ++axis)
         interpolated_flux_along(geometry.face[std::size_t(axis)], axis, u, flux.along(axis));
+    wall_flux(geometry, walls, flux);
+}
+
+void wall_flux(const core::BlockGeometry& geometry, const BlockWalls& walls, core::FaceView<double> flux)
+{
     for (const core::Side side : core::all_sides) {
         if (!walls.is_wall[std::size_t(side)]) continue;
         const int axis = core::axis_of(side);

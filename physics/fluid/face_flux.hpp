@@ -28,6 +28,9 @@ void wall_gradient_flux(const core::BlockGeometry& geometry, const BlockWalls& w
 void interpolated_flux(const core::BlockGeometry& geometry, const BlockWalls& walls, core::VectorView<const double> u,
                        core::FaceView<double> flux);
 
+/// What walls carry through themselves by moving.
+void wall_flux(const core::BlockGeometry& geometry, const BlockWalls& walls, core::FaceView<double> flux);
+
 /// Net outflow of each cell.
 /// @param[out] outflow  Interior [unit of flux].
 void net_outflow(core::FaceView<const double> flux, core::View<double> outflow);

@@ -3,32 +3,8 @@
 #include "physics/fluid/projection.hpp"
 #include "physics/fluid/cell_loops.hpp"
 
-#include <cmath>
-
 namespace physics {
 namespace {
-
-void add_flux_memory_along(const core::FaceMetrics& face, int axis, double dt, double viscosity,
-                           core::VectorView<const double> u, core::View<const double> before, core::View<double> flux)
-{
-    const core::Extents n = flux.extents();
-    const std::ptrdiff_t back = u.x.stride(axis);
-    for (int k = 0; k < n.nk; ++k)
-        for (int j = 0; j < n.nj; ++j) {
-            const double *w = face.weight.view().row(j, k), *t = face.transmissibility.view().row(j, k),
-                         *sx = face.area_x.view().row(j, k), *sy = face.area_y.view().row(j, k), *sz = face.area_z.view().row(j, k);
-            const double *ux = u.x.row(j, k), *uy = u.y.row(j, k), *uz = u.z.row(j, k), *old = before.row(j, k);
-            double* f = flux.row(j, k);
-#pragma omp simd
-            for (int i = 0; i < n.ni; ++i) {
-                const double b = w[i], a = 1 - b;
-                const double x = b * ux[i] + a * ux[i - back], y = b * uy[i] + a * uy[i - back], z = b * uz[i] + a * uz[i - back];
-                const double per_length = t[i] / std::sqrt(sx[i] * sx[i] + sy[i] * sy[i] + sz[i] * sz[i]);
-                const double rate = per_length * (std::sqrt(x * x + y * y + z * z) + 2 * viscosity * per_length);
-                f[i] += (old[i] - (sx[i] * x + sy[i] * y + sz[i] * z)) / (1 + dt * rate);
-            }
-        }
-}
 
 void add_pressure_smoothing_along(const core::FaceMetrics& face, int axis, double mobility, double diffusion,
                                   core::VectorView<const double> gradient, core::View<const double> compact, core::View<double> flux)
@@ -63,21 +39,6 @@ void add_pressure_smoothing(const core::BlockGeometry& geometry, double mobility
     for (int axis = 0; axis < 3; ++axis)
         add_pressure_smoothing_along(geometry.face[std::size_t(axis)], axis, mobility, diffusion, pressure_gradient,
                                      scratch.along(axis), flux.along(axis));
-}
-
-void add_flux_memory(const core::BlockGeometry& geometry, const BlockWalls& walls, double dt, double viscosity,
-                     core::VectorView<const double> velocity, core::FaceView<const double> before, core::FaceView<double> flux)
-{
-    for (int axis = 0; axis < 3; ++axis)
-        add_flux_memory_along(geometry.face[std::size_t(axis)], axis, dt, viscosity, velocity, before.along(axis), flux.along(axis));
-    for (const core::Side side : core::all_sides) {
-        if (!walls.is_wall[std::size_t(side)]) continue;
-        const int axis = core::axis_of(side);
-        const auto f = flux.along(axis);
-        for_each_side_face(geometry.cells, side, [&](int i, int j, int k) {
-            f(i, j, k) = geometry.area(axis, i, j, k).dot(walls.velocity[std::size_t(side)]);
-        });
-    }
 }
 
 void correct_flux(const core::BlockGeometry& geometry, const BlockWalls& walls, core::View<const double> psi,

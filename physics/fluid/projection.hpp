@@ -17,15 +17,6 @@ void add_pressure_smoothing(const core::BlockGeometry& geometry, double mobility
                             core::View<const double> pressure, core::VectorView<const double> pressure_gradient,
                             core::FaceView<double> scratch, core::FaceView<double> flux);
 
-/// Carries over what the last face fluxes knew and the cell velocities did not, as far as advection and viscosity would
-/// not have wiped it out during the step. Without it the coupling of pressure and velocity fades as dt goes to zero
-/// (NUMERICS B1 iv).
-/// @param velocity  At the start of the step, one halo layer.
-/// @param before    Face fluxes at the start of the step.
-/// @post Walls carry their own velocity.
-void add_flux_memory(const core::BlockGeometry& geometry, const BlockWalls& walls, double dt, double viscosity,
-                     core::VectorView<const double> velocity, core::FaceView<const double> before, core::FaceView<double> flux);
-
 /// flux -= compact flux of grad psi, the same that the pressure operator balances.
 /// @param scratch  Overwritten by the compact flux.
 void correct_flux(const core::BlockGeometry& geometry, const BlockWalls& walls, core::View<const double> psi,

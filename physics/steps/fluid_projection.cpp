@@ -37,14 +37,9 @@ void FluidStep::declare_face_flux(tasks::StageGraph& graph)
         [this](LocalBlock b, View<const double> p, Vectors gp, const FluidClock& clock, FaceView<double> scratch, FaceView<double> flux) {
             add_pressure_smoothing(geometry(b), clock.dt / parameters_.density, clock.implicit_share() * clock.dt * parameters_.viscosity, p, gp,
                                    scratch, flux);
+            wall_flux(geometry(b), walls_of(b), flux);
         },
         reads(halo(state_.pressure, 1), halo(f.pressure_gradient, 1), clock_), writes(f.face_scratch), updates(f.predicted_flux));
-    graph.each_block(
-        "memory of face flux",
-        [this](LocalBlock b, Vectors u, FaceView<const double> before, const FluidClock& clock, FaceView<double> flux) {
-            add_flux_memory(geometry(b), walls_of(b), clock.dt, parameters_.viscosity, u, before, flux);
-        },
-        reads(halo(state_.velocity, 3), state_.flux, clock_), updates(f.predicted_flux));
     graph.each_block(
         "net outflow",
         [](LocalBlock, FaceView<const double> flux, View<double> outflow, View<double> through) {

@@ -4,42 +4,58 @@
 #include "io/state_file.hpp"
 
 namespace io {
+namespace {
 
-SimulationOutputs::SimulationOutputs(World& world, const RunDirectory& directory, Log& log, bool)
-    : world_(world), directory_(directory), log_(log), last_checkpoint_time_(world.time())
+bool wanted(const Interval& interval) { return interval.clock != Interval::Clock::never; }
+
+} // namespace
+
+SimulationOutputs::SimulationOutputs(World& world, const RunDirectory& directory, Log& log, bool resumed)
+    : world_(world), directory_(directory), log_(log), metrics_clock_(world.scene().output.metrics, world.ranks()),
+      results_clock_(world.scene().output.results, world.ranks()), pictures_clock_(world.scene().output.pictures, world.ranks()),
+      checkpoint_clock_(world.scene().output.checkpoint, world.ranks()),
+      metrics_(world, directory.metrics(), resumed ? std::optional(world.time()) : std::nullopt)
 {
+    if (wanted(world.scene().output.results)) results_.emplace(world, directory.results().string());
+    if (wanted(world.scene().output.pictures)) pictures_.emplace(world, directory.frames());
+    checkpoint_clock_.resume(now());
+    if (resumed)
+        for (IntervalClock* clock : {&metrics_clock_, &results_clock_, &pictures_clock_}) clock->resume(now());
 }
 
-SimulationOutputs::~SimulationOutputs() = default;
-
-bool SimulationOutputs::checkpoint_is_due()
-{
-    const Interval& interval = world_.scene().output.checkpoint;
-    double passed = 0;
-    if (interval.clock == Interval::Clock::steps) passed = double(world_.clock().step - std::max<std::int64_t>(0, last_saved_step_));
-    if (interval.clock == Interval::Clock::simulated) passed = (world_.time() - last_checkpoint_time_) * (1 + 1e-12);
-    if (interval.clock == Interval::Clock::wall) {
-        passed = std::chrono::duration<double>(std::chrono::steady_clock::now() - last_checkpoint_).count();
-        world_.ranks().max(std::span(&passed, 1)); // all ranks must agree
-    }
-    return interval.clock != Interval::Clock::never && passed >= interval.every;
-}
+Moment SimulationOutputs::now() const { return {world_.time(), world_.clock().step, log_.seconds()}; }
 
 void SimulationOutputs::checkpoint()
 {
     if (world_.clock().step == last_saved_step_) return;
-    save_state(world_, directory_.checkpoints(), world_.scene().output.keep_checkpoints);
+    save_state(world_, directory_.checkpoints().string(), world_.scene().output.keep_checkpoints);
+    metrics_.flush();
     last_saved_step_ = world_.clock().step;
-    last_checkpoint_ = std::chrono::steady_clock::now();
-    last_checkpoint_time_ = world_.time();
 }
 
 void SimulationOutputs::write_due()
 {
-    if (world_.clock().step > 0 && checkpoint_is_due()) checkpoint();
+    const Moment moment = now();
+    if (metrics_clock_.due(moment)) metrics_.write();
+    if (results_clock_.due(moment)) results_->write(world_, results_clock_.number());
+    if (pictures_clock_.due(moment)) {
+        pictures_->draw(world_, pictures_clock_.number());
+        if (const std::string warning = pictures_->take_warning(); !warning.empty()) log_.warning(warning);
+    }
+    if (checkpoint_clock_.due(moment)) checkpoint();
 }
 
-void SimulationOutputs::finish() { checkpoint(); }
+void SimulationOutputs::after_step()
+{
+    metrics_.after_step();
+    write_due();
+}
+
+void SimulationOutputs::finish()
+{
+    checkpoint();
+    if (pictures_) pictures_->finish();
+}
 
 StepReport SimulationOutputs::step_report() const
 {

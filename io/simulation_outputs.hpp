@@ -2,35 +2,40 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Everything that a run writes while it goes on, each when it is due.
+#include "io/interval_clock.hpp"
 #include "io/log.hpp"
 #include "io/progress.hpp"
 #include "io/run_directory.hpp"
-#include "io/world.hpp"
-#include <chrono>
+#include "io/world_metrics.hpp"
+#include "io/world_pictures.hpp"
+#include "io/world_results.hpp"
 
 namespace io {
 
 class SimulationOutputs {
 public:
-    /// @param resumed  Goes on with the files of an earlier run. Collective.
+    /// @param resumed  Goes on with the files of an earlier run. @pre world.compile(). Collective.
     SimulationOutputs(World& world, const RunDirectory& directory, Log& log, bool resumed);
-    ~SimulationOutputs();
 
-    /// Whatever is due at the present step. Collective.
+    /// Whatever is due now. Collective.
     void write_due();
+    /// Whatever is due after a step. Collective.
+    void after_step();
     /// The last checkpoint, and the end of all files. Collective.
     void finish();
     [[nodiscard]] StepReport step_report() const;
 
 private:
     void checkpoint();
-    [[nodiscard]] bool checkpoint_is_due();
+    [[nodiscard]] Moment now() const;
 
     World& world_;
     RunDirectory directory_;
     Log& log_;
-    std::chrono::steady_clock::time_point last_checkpoint_ = std::chrono::steady_clock::now();
-    double last_checkpoint_time_ = 0;
+    IntervalClock metrics_clock_, results_clock_, pictures_clock_, checkpoint_clock_;
+    WorldMetrics metrics_;
+    std::optional<WorldResults> results_;   ///< none where they are never due
+    std::optional<WorldPictures> pictures_; ///< likewise
     std::int64_t last_saved_step_ = -1;
 };
 

@@ -57,11 +57,12 @@ std::vector<double> chebyshev_exponential(double a, double tolerance)
 
 Filter::Filter(const BlockTopology& topology, const FilterOptions& options)
     : options_(options), mesh_(sorted_mesh(topology, link_source_)), matrix_(make_seven_point<double>(mesh_, false)),
-      inverse_volume_(mesh_.layout.size(), 0.0), outflow_(mesh_.layout.size(), 0.0), batch_(std::size_t(options.fields)), messages_(std::size_t(options.fields))
+      inverse_volume_(mesh_.layout.size(), 0.0), outflow_(mesh_.layout.size(), Octet{}),
+      groups_(std::size_t((options.fields + fields_per_octet - 1) / fields_per_octet)), messages_(groups_.size())
 {
-    for (auto& v : batch_) {
-        v.sum.assign(mesh_.layout.size(), 0.0);
-        for (auto& t : v.t) t.assign(mesh_.layout.size(), 0.0);
+    for (Group& g : groups_) {
+        g.sum.assign(mesh_.layout.size(), Octet{});
+        for (auto& t : g.t) t.assign(mesh_.layout.size(), Octet{});
     }
 }
 
@@ -101,43 +102,82 @@ void Filter::set_bound(double bound)
 
 void Filter::put(const core::Team& team, int n, const std::function<core::View<const double>(core::LocalBlock)>& density)
 {
-    auto& v = batch_[std::size_t(n)];
+    Group& g = groups_[std::size_t(n / fields_per_octet)];
+    const int f = n % fields_per_octet;
     for_rows(team, mesh_.layout, [&, c = coefficients_[0]](core::LocalBlock b, int j, int k, std::ptrdiff_t at, int cells) {
         const double* from = density(b).row(j, k);
         for (int i = 0; i < cells; ++i) {
-            v.t[0][std::size_t(at + i)] = from[i];
-            v.sum[std::size_t(at + i)] = c * from[i];
+            g.t[0][std::size_t(at + i)].field[f] = from[i];
+            g.sum[std::size_t(at + i)].field[f] = c * from[i];
         }
     });
 }
 
 void Filter::take(const core::Team& team, int n, const std::function<core::View<double>(core::LocalBlock)>& density) const
 {
+    const Group& g = groups_[std::size_t(n / fields_per_octet)];
+    const int f = n % fields_per_octet;
     for_rows(team, mesh_.layout, [&](core::LocalBlock b, int j, int k, std::ptrdiff_t at, int cells) {
-        std::copy_n(batch_[std::size_t(n)].sum.data() + at, cells, density(b).row(j, k));
+        double* to = density(b).row(j, k);
+        for (int i = 0; i < cells; ++i) to[i] = g.sum[std::size_t(at + i)].field[f];
     });
+}
+
+void Filter::add_outflow(int piece, const Octet* t, Octet* outflow) const
+{
+    const Piece& p = mesh_.layout.pieces()[std::size_t(piece)];
+    const core::Extents cells = mesh_.layout.cells(p.block);
+    const std::array<std::ptrdiff_t, 3> stride{1, cells.ni, std::ptrdiff_t(cells.ni) * cells.nj};
+    const double *ti = matrix_.face[0].data(), *tj = matrix_.face[1].data(), *tk = matrix_.face[2].data();
+    for (auto c = p.begin; c < p.end; ++c) {
+        const Octet &v = t[c], &i0 = t[c - 1], &i1 = t[c + 1], &j0 = t[c - stride[1]], &j1 = t[c + stride[1]],
+                    &k0 = t[c - stride[2]], &k1 = t[c + stride[2]];
+        const double a = ti[c], b = ti[c + 1], d = tj[c], e = tj[c + stride[1]], g = tk[c], h = tk[c + stride[2]];
+        Octet& out = outflow[c];
+#pragma omp simd
+        for (int f = 0; f < fields_per_octet; ++f) {
+            const double x = v.field[f];
+            out.field[f] = a * (x - i0.field[f]) + b * (x - i1.field[f]) + d * (x - j0.field[f]) + e * (x - j1.field[f]) +
+                           g * (x - k0.field[f]) + h * (x - k1.field[f]);
+        }
+    }
+    for (int n = mesh_.piece_halves[std::size_t(piece)]; n < mesh_.piece_halves[std::size_t(piece) + 1]; ++n) {
+        const HalfLink& half = mesh_.halves[std::size_t(n)];
+        const double a = matrix_.half[std::size_t(n)];
+        const Octet &here = t[half.cell], &there = t[half.other];
+        Octet& out = outflow[half.cell];
+#pragma omp simd
+        for (int f = 0; f < fields_per_octet; ++f) out.field[f] += a * (here.field[f] - there.field[f]);
+    }
+}
+
+void Filter::pass_piece(int piece, int number, Group& group)
+{
+    const Piece& p = mesh_.layout.pieces()[std::size_t(piece)];
+    const std::size_t now = std::size_t(number + 1) % 2;
+    const double scale = bound_ > 0.0 ? 2.0 / bound_ : 0.0, term = coefficients_[std::size_t(number)];
+    const double factor = number == 1 ? 1.0 : 2.0, keep = number == 1 ? 0.0 : 1.0;
+    const Octet* t = group.t[now].data();
+    Octet *last = group.t[1 - now].data(), *sum = group.sum.data(), *outflow = outflow_.data();
+    add_outflow(piece, t, outflow);
+    for (auto c = p.begin; c < p.end; ++c) {
+        const double w = scale * inverse_volume_[std::size_t(c)];
+        const Octet &x = t[c], &out = outflow[c];
+        Octet &old = last[c], &total = sum[c];
+#pragma omp simd
+        for (int f = 0; f < fields_per_octet; ++f) {
+            const double next = factor * (w * out.field[f] - x.field[f]) - keep * old.field[f];
+            old.field[f] = next;
+            total.field[f] += term * next;
+        }
+    }
 }
 
 void Filter::pass(const core::Team& team, int number, int fields)
 {
-    const std::size_t now = std::size_t(number + 1) % 2;
-    const double scale = bound_ > 0.0 ? 2.0 / bound_ : 0.0, c = coefficients_[std::size_t(number)];
-    const double factor = number == 1 ? 1.0 : 2.0, keep = number == 1 ? 0.0 : 1.0;
-    mesh_.layout.for_pieces(team, [&](int n) {
-        const auto& p = mesh_.layout.pieces()[std::size_t(n)];
-        for (int f = 0; f < fields; ++f) { // the coefficients of a piece stay in the cache from field to field
-            auto& v = batch_[std::size_t(f)];
-            const double *t = v.t[now].data(), *w = inverse_volume_.data();
-            double *last = v.t[1 - now].data(), *sum = v.sum.data(), *outflow = outflow_.data();
-            net_outflow(mesh_, matrix_, n, t, outflow);
-#pragma omp simd
-            for (auto at = p.begin; at < p.end; ++at) {
-                const double next = factor * (scale * w[at] * outflow[at] - t[at]) - keep * last[at];
-                last[at] = next;
-                sum[at] += c * next;
-            }
-        }
-    });
+    const int used = (fields + fields_per_octet - 1) / fields_per_octet;
+    for (int g = 0; g < used; ++g)
+        mesh_.layout.for_pieces(team, [&](int piece) { pass_piece(piece, number, groups_[std::size_t(g)]); });
 }
 
 void Filter::run(const core::Team& team, int fields)
@@ -147,8 +187,9 @@ void Filter::run(const core::Team& team, int fields)
 
 void Filter::start_ghosts(int number, int fields, const core::Communicator& communicator, core::Pending& pending)
 {
-    for (int f = 0; f < fields; ++f)
-        messages_[std::size_t(f)].start_ghosts(mesh_, std::span(batch_[std::size_t(f)].t[std::size_t(number + 1) % 2]), communicator, pending);
+    const int used = (fields + fields_per_octet - 1) / fields_per_octet;
+    for (int g = 0; g < used; ++g)
+        messages_[std::size_t(g)].start_ghosts(mesh_, std::span(groups_[std::size_t(g)].t[std::size_t(number + 1) % 2]), communicator, pending);
 }
 
 } // namespace physics

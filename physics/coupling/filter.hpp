@@ -65,19 +65,28 @@ public:
     [[nodiscard]] const BlockLayout& layout() const { return mesh_.layout; }
 
 private:
-    struct Vectors {
-        std::vector<double> sum;              ///< of the terms so far
-        std::array<std::vector<double>, 2> t; ///< the last two Chebyshev polynomials times the field
+    /// The same cell of several fields: coefficients and neighbours are looked up once for all of them.
+    struct alignas(64) Octet {
+        double field[8];
     };
+    static constexpr int fields_per_octet = 8;
+    /// Fields 8 g to 8 g + 7, flat as in BlockLayout.
+    struct Group {
+        std::vector<Octet> sum;              ///< of the terms so far
+        std::array<std::vector<Octet>, 2> t; ///< the last two Chebyshev polynomials times the fields
+    };
+    void pass_piece(int piece, int number, Group& group);
+    void add_outflow(int piece, const Octet* t, Octet* outflow) const;
 
     FilterOptions options_;
     std::vector<int> link_source_;
     LevelMesh mesh_;
     SevenPoint<double> matrix_;
-    std::vector<double> inverse_volume_, outflow_;
+    std::vector<double> inverse_volume_;
+    std::vector<Octet> outflow_;
     double bound_ = 0.0;
     std::vector<double> coefficients_{1.0};
-    std::vector<Vectors> batch_;
+    std::vector<Group> groups_;
     std::vector<LevelMessages> messages_;
 };
 

@@ -10,16 +10,12 @@
 
 namespace io {
 
-namespace {
-
-    [[nodiscard]] std::string text_of(const std::filesystem::path& file)
-    {
-        std::ifstream stream(file, std::ios::binary);
-        core::require<core::ConfigError>(stream.good(), fmt::format("{} cannot be read", file.string()));
-        return {std::istreambuf_iterator<char>(stream), {}};
-    }
-
-} // namespace
+std::string text_of(const std::filesystem::path& file)
+{
+    std::ifstream stream(file, std::ios::binary);
+    core::require<core::ConfigError>(stream.good(), fmt::format("{} cannot be read", file.string()));
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
 
 std::filesystem::path scene_file(const std::filesystem::path& path)
 {
@@ -31,25 +27,29 @@ std::filesystem::path scene_file(const std::filesystem::path& path)
     return file;
 }
 
+Scene read_scene_tree(Node& root, Mark start, const std::vector<std::string>& overrides, Problems& problems)
+{
+    for (const auto& assignment : overrides) apply_override(root, assignment, problems);
+    const Units units;
+    const Reading reading{units, problems};
+    Locations locations;
+    locations.place("", start);
+    SchemaReader reader(root, "", start, reading, locations);
+    Scene scene;
+    describe(reader, scene);
+    reader.finish();
+    check_scene(scene, locations, problems);
+    scene.resolve();
+    return scene;
+}
+
 SceneReading read_scene_text(const std::string& name, const std::string& text, const std::vector<std::string>& overrides)
 {
     SceneReading result{{}, std::make_unique<Problems>()};
     Problems& problems = *result.problems;
     const Source& source = problems.add_source(name, text);
-    std::optional<Node> root = parse_yaml(source, problems);
-    if (!root) return result; // what else is wrong cannot be known
-    for (const auto& assignment : overrides) apply_override(*root, assignment, problems);
-
-    const Units units;
-    const Reading reading{units, problems};
-    Locations locations;
-    const Mark start{&source, 1, 1};
-    locations.place("", start);
-    SchemaReader reader(*root, "", start, reading, locations);
-    describe(reader, result.scene);
-    reader.finish();
-    check_scene(result.scene, locations, problems);
-    result.scene.resolve();
+    // Without a tree, what else is wrong cannot be known.
+    if (std::optional<Node> root = parse_yaml(source, problems)) result.scene = read_scene_tree(*root, {&source, 1, 1}, overrides, problems);
     return result;
 }
 

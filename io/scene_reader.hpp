@@ -31,6 +31,13 @@ struct SceneReading {
 /// @throws core::ConfigError with all problems, each with its place, if there are any.
 [[nodiscard]] Scene read_scene(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});
 
+/// Reads a scene from a tree, which the overrides change; what is wrong is added to `problems`.
+/// @param start  Where keys are reported that are missing at the top.
+[[nodiscard]] Scene read_scene_tree(Node& root, Mark start, const std::vector<std::string>& overrides, Problems& problems);
+
+/// The text of a file. @throws core::ConfigError if it cannot be read.
+[[nodiscard]] std::string text_of(const std::filesystem::path& file);
+
 /// Finds mistakes that only several keys together show; says nothing about values that could not be read.
 void check_scene(const Scene& scene, const Locations& locations, Problems& problems);
 

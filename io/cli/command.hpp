@@ -39,6 +39,7 @@ struct Command {
 [[nodiscard]] Command run_command();
 [[nodiscard]] Command check_command();
 [[nodiscard]] Command plan_command();
+[[nodiscard]] Command study_command();
 [[nodiscard]] Command digest_command();
 [[nodiscard]] Command view_command();
 [[nodiscard]] Command schema_command();

@@ -10,6 +10,7 @@ std::vector<Command> all_commands()
         run_command(),
         check_command(),
         plan_command(),
+        study_command(),
         digest_command(),
         view_command(),
         schema_command(),

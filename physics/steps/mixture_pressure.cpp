@@ -6,18 +6,14 @@
 #include "physics/steps/krylov_job.hpp"
 #include "physics/steps/pressure_solve.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <numeric>
-
 namespace physics {
 
 MixturePressure::MixturePressure(const SystemContext& context, const core::Communicator& ranks, const FluidTolerances& tolerances)
-    : context_(context), tolerances_(tolerances), links_(make_mesh_links(context.mesh, ranks.rank(), BehindWalls::nothing)),
+    : context_(context), links_(make_mesh_links(context.mesh, ranks.rank(), BehindWalls::nothing)),
       link_faces_(link_faces(context.mesh, links_)), solver_(links_.topology, MultigridOptions{}, ranks),
       unknown_(context, solver_.layout(), "pressure change"),
       coefficients_({"mobile transmissibility", "", 0, false}, context.mesh.own_cells()), link_coefficients_(links_.transmissibility.size()),
-      right_(solver_.layout().size(), 0.0), solution_(solver_.layout().size(), 0.0), norms_(std::size_t(context.mesh.blocks()))
+      right_(solver_.layout().size(), 0.0), solution_(solver_.layout().size(), 0.0), norms_(context.mesh, tolerances)
 {
     coefficients_.allocate();
 }
@@ -50,34 +46,20 @@ tasks::Job MixturePressure::precondition(tasks::Lane& lane, std::span<const doub
     co_await physics::precondition(lane, solver_, in, out);
 }
 
-tasks::Job MixturePressure::tolerance(tasks::Lane& lane, const core::ScalarField& throughput, KrylovOptions& options)
-{
-    std::fill(norms_.begin(), norms_.end(), 0.0);
-    unknown_.for_blocks(lane, [&](core::LocalBlock b) {
-        norms_[std::size_t(context_.mesh.global(b))] = sum_cells([](double x) { return x * x; }, throughput.on(b));
-    });
-    co_await lane.sum(norms_);
-    options.relative = 1e-13; // round-off: the tolerance proper is absolute
-    options.absolute = tolerances_.pressure * std::sqrt(std::accumulate(norms_.begin(), norms_.end(), 0.0));
-    options.most_iterations = tolerances_.most_iterations;
-    options.singular = true;
-    options.unknown = "pressure change";
-}
-
 tasks::Job MixturePressure::solve(tasks::Lane& lane, const core::FaceField& mobility, const core::ScalarField& outflow,
                                   const core::ScalarField& throughput, core::ScalarField& change)
 {
     mobility_ = &mobility;
     co_await load(lane);
-    KrylovOptions options;
-    co_await tolerance(lane, throughput, options);
+    co_await norms_.gather(lane, outflow, throughput);
+    solver_.expect_right(norms_.outflow());
     const BlockLayout& layout = solver_.layout();
     std::fill(solution_.begin(), solution_.end(), 0.0);
     unknown_.for_blocks(lane, [&](core::LocalBlock b) {
         map_cells(layout.view(b, right_), [](double x) { return -x; }, outflow.on(b));
     });
     report_ = {};
-    co_await drive(lane, bicgstab(lane.team(), solver_.workspace(), options, right_, solution_, report_), *this);
+    co_await drive(lane, bicgstab(lane.team(), solver_.workspace(), norms_.options(), right_, solution_, report_), *this);
     unknown_.for_blocks(lane, [&](core::LocalBlock b) {
         map_cells(change.on(b), [](double x) { return x; }, layout.view(b, solution_));
     });

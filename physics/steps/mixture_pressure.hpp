@@ -3,8 +3,8 @@
 #pragma once
 // The equation of the projection with grains: div(mobility grad dp) = div(flux), the mobility a field of this step.
 #include "physics/fluid/mobility.hpp"
-#include "physics/fluid/parameters.hpp"
 #include "physics/fluid/seven_point_solver.hpp"
+#include "physics/steps/projection_norms.hpp"
 #include "physics/steps/unknown.hpp"
 
 namespace physics {
@@ -30,17 +30,16 @@ public:
 
 private:
     tasks::Job load(tasks::Lane& lane);
-    tasks::Job tolerance(tasks::Lane& lane, const core::ScalarField& throughput, KrylovOptions& options);
 
     SystemContext context_;
-    FluidTolerances tolerances_;
     MeshLinks links_;
     std::vector<LinkFace> link_faces_;
     SevenPointSolver solver_;
     Unknown unknown_;
     core::FaceField coefficients_;
     const core::FaceField* mobility_ = nullptr; ///< of the solve that is on its way
-    std::vector<double> link_coefficients_, right_, solution_, norms_;
+    std::vector<double> link_coefficients_, right_, solution_;
+    ProjectionNorms norms_;
     KrylovReport report_;
 };
 

@@ -6,10 +6,6 @@
 #include "physics/steps/krylov_job.hpp"
 #include "physics/steps/pressure_solve.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <numeric>
-
 namespace physics {
 namespace {
 
@@ -28,10 +24,10 @@ void set_up(const core::Mesh& mesh, int rank, SevenPointSolver& solver)
 } // namespace
 
 PressureSystem::PressureSystem(const SystemContext& context, const core::Communicator& ranks, const FluidTolerances& tolerances)
-    : context_(context), tolerances_(tolerances),
+    : context_(context),
       solver_(make_mesh_links(context.mesh, ranks.rank(), BehindWalls::nothing).topology, MultigridOptions{}, ranks),
       unknown_(context, solver_.layout(), "pressure impulse"), right_(solver_.layout().size(), 0.0),
-      solution_(solver_.layout().size(), 0.0), norms_(2 * std::size_t(context.mesh.blocks()))
+      solution_(solver_.layout().size(), 0.0), norms_(context.mesh, tolerances)
 {
     set_up(context.mesh, ranks.rank(), solver_);
 }
@@ -55,29 +51,14 @@ tasks::Job PressureSystem::solve(tasks::Lane& lane, const core::ScalarField& out
                                  core::ScalarField& psi)
 {
     const BlockLayout& layout = solver_.layout();
-    std::fill(norms_.begin(), norms_.end(), 0.0);
     std::fill(solution_.begin(), solution_.end(), 0.0);
     unknown_.for_blocks(lane, [&](core::LocalBlock b) {
         map_cells(layout.view(b, right_), [](double x) { return -x; }, outflow.on(b));
-        const auto square = [](double x) { return x * x; };
-        const auto global = std::size_t(context_.mesh.global(b)), all = std::size_t(context_.mesh.blocks());
-        norms_[global] = sum_cells(square, throughput.on(b));
-        norms_[all + global] = sum_cells(square, outflow.on(b));
     });
-    co_await lane.sum(norms_);
-    const auto half = norms_.begin() + context_.mesh.blocks();
-    const double through = std::sqrt(std::accumulate(norms_.begin(), half, 0.0));
-    const double out = std::sqrt(std::accumulate(half, norms_.end(), 0.0));
-    solver_.expect_right(out);
-    KrylovOptions options;
-    options.relative = 1e-13; // round-off: the tolerance proper is absolute
-    options.absolute = tolerances_.pressure_target(through, out);
-    options.most_iterations = tolerances_.most_iterations;
-    options.singular = true;
-    // Fluxes cancel to round-off of themselves, however small what is left of them.
-    options.largest_defect = std::max(options.largest_defect, out > 0 ? 1e-12 * through / out : 0.0);
+    co_await norms_.gather(lane, outflow, throughput);
+    solver_.expect_right(norms_.outflow());
     report_ = {};
-    co_await drive(lane, bicgstab(lane.team(), solver_.workspace(), options, right_, solution_, report_), *this);
+    co_await drive(lane, bicgstab(lane.team(), solver_.workspace(), norms_.options(), right_, solution_, report_), *this);
     unknown_.for_blocks(lane, [&](core::LocalBlock b) {
         map_cells(psi.on(b), [](double x) { return x; }, layout.view(b, solution_));
     });

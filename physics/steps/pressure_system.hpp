@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The equation of the projection: div(grad psi) = div(flux), psi = mobility * pressure increment, with the full operator.
-#include "physics/fluid/parameters.hpp"
 #include "physics/fluid/seven_point_solver.hpp"
+#include "physics/steps/projection_norms.hpp"
 #include "physics/steps/unknown.hpp"
 
 namespace physics {
@@ -27,10 +27,10 @@ public:
 
 private:
     SystemContext context_;
-    FluidTolerances tolerances_;
     SevenPointSolver solver_;
     Unknown unknown_;
-    std::vector<double> right_, solution_, norms_;
+    std::vector<double> right_, solution_;
+    ProjectionNorms norms_;
     KrylovReport report_;
 };
 

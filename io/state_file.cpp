@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/state_file.hpp"
 #include "core/base/error.hpp"
+#include "io/carried_fields.hpp"
 #include "io/row_order.hpp"
 #include "io/version.hpp"
 
@@ -9,24 +10,6 @@ namespace io {
 namespace {
 
 BlockList blocks_of(const core::Mesh& mesh) { return {mesh.own(), mesh.blocks()}; }
-
-/// Calls visit(field) for every field that is carried from step to step.
-template <class Visit>
-void for_each_field(World& world, Visit visit)
-{
-    if (auto* fluid = world.fluid()) {
-        auto& state = fluid->state();
-        visit(state.velocity);
-        visit(state.velocity_before);
-        visit(state.pressure);
-        visit(state.flux);
-    }
-    if (auto* coupling = world.coupling()) {
-        visit(coupling->fields().fraction);
-        visit(coupling->fields().acceleration);
-        visit(coupling->fields().ledger);
-    }
-}
 
 /// Calls visit(name, value) for every number of the clock.
 template <class Visit>
@@ -159,7 +142,7 @@ void load_particles(const CheckpointReader& checkpoint, World& world)
 std::string save_state(World& world, const std::string& directory, int keep)
 {
     CheckpointWriter writer(directory, world.clock().step, world.ranks());
-    for_each_field(world, [&](auto& field) { writer.field(views(std::as_const(field)), blocks_of(world.mesh())); });
+    for_each_carried_field(world, [&](auto& field) { writer.field(views(std::as_const(field)), blocks_of(world.mesh())); });
     for_each_scalar(world.clock(), [&](const char* name, auto& value) { writer.scalar(name, double(value)); });
     if (world.grains()) {
         save_particles(world, writer);
@@ -174,7 +157,7 @@ void load_state(const CheckpointReader& checkpoint, World& world)
 {
     core::require<core::FileError>(checkpoint.note("scene") == world.scene().name,
                                    core::text("the checkpoint is of the scene '", checkpoint.note("scene"), "', not of '", world.scene().name, "'"));
-    for_each_field(world, [&](auto& field) { checkpoint.field(views(field), blocks_of(world.mesh())); });
+    for_each_carried_field(world, [&](auto& field) { checkpoint.field(views(field), blocks_of(world.mesh())); });
     for_each_scalar(world.clock(), [&](const char* name, auto& value) {
         value = std::remove_reference_t<decltype(value)>(checkpoint.scalar(name));
     });

@@ -47,11 +47,12 @@ StopRequests::StopRequests(std::filesystem::path stop_file, std::optional<double
     handle(SIGINT, note_signal, SA_RESTART | static_cast<int>(SA_RESETHAND));
     handle(SIGTERM, note_signal, SA_RESTART);
     handle(SIGUSR1, note_signal, SA_RESTART);
+    handle(SIGXFSZ, SIG_IGN, 0); // a file that may not grow is an error of the one who writes it, not the end
 }
 
 StopRequests::~StopRequests()
 {
-    for (int signal : {SIGINT, SIGTERM, SIGUSR1}) handle(signal, SIG_DFL, 0);
+    for (int signal : {SIGINT, SIGTERM, SIGUSR1, SIGXFSZ}) handle(signal, SIG_DFL, 0);
 }
 
 StopReason StopRequests::here(int rank) const

@@ -4,6 +4,7 @@
 #include "core/base/error.hpp"
 #include "io/cli/command.hpp"
 #include "io/cli/parallel_options.hpp"
+#include "io/cli/together.hpp"
 #include "io/scene_reader.hpp"
 #include "io/simulation.hpp"
 #include "io/units.hpp"
@@ -50,8 +51,10 @@ int run(const Arguments& a, Invocation invocation)
     options.trace = a.trace;
     options.until = until;
     options.command = {invocation.argv, invocation.argv + invocation.argc};
-    Simulation simulation(scene, ranks, options);
-    return simulation.run() == StopReason::none ? exit_success : exit_stopped_with_checkpoint;
+    return run_together(ranks, [&] {
+        Simulation simulation(scene, ranks, options);
+        return simulation.run() == StopReason::none ? exit_success : exit_stopped_with_checkpoint;
+    });
 }
 
 } // namespace

@@ -60,6 +60,30 @@ TEST_CASE("points are found in the cells that hold them, from nothing and from a
     }
 }
 
+TEST_CASE("a point on faces, edges and corners of cells is found with the same bits from any start")
+{
+    const Mesh mesh(pipe(), 0, 1);
+    const Locator locator(mesh);
+    core::Location before;
+    int number = 0;
+    for (auto [at, x] : places(mesh, locator, 300)) {
+        ++number;
+        for (int m = 0; m < 3; ++m)
+            if ((number >> m) & 1) at.xi[m] = std::round(at.xi[m]); // on one, two or three faces
+        const auto on_face = locator.position(at);
+        const auto direct = locator.find(on_face);
+        REQUIRE(direct);
+        for (const core::Location& start : {before, at, *direct}) {
+            const auto found = locator.find(on_face, start);
+            REQUIRE(found);
+            CHECK(found->block == direct->block);
+            CHECK(found->cell == direct->cell);
+            CHECK(found->xi == direct->xi);
+        }
+        before = at;
+    }
+}
+
 TEST_CASE("a point that crosses the seam is found at the other end, one outside is not found")
 {
     const Mesh mesh(pipe(), 0, 1);

@@ -1,0 +1,207 @@
+# SPDX-FileCopyrightText: 2026 The Isago authors
+# SPDX-License-Identifier: Apache-2.0
+"""Whether runs end well: mistakes in scenes, signals, kills, damaged checkpoints, a full disk, numbers that blow up.
+
+faults.py ISAGO [NAME...]: runs all tests, or the named ones.
+"""
+import pathlib
+import random
+import resource
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+CONFIGS = pathlib.Path(__file__).resolve().parents[3] / "configs"
+PIPE = str(CONFIGS / "pipe_oscillating")
+SMALL = ["grid.pipe.size=small", "particles.S.count=40", "particles.L.count=20", "run.settle=2 ms", "run.time_step=0.02 ms", "output.checkpoint=every 1 steps",
+         "output.keep_checkpoints=3", "output.results=never", "output.pictures=never"]
+END = ["--until", "0.6 ms"]
+FAILED, WRONG_SCENE, STOPPED = 1, 2, 75
+
+
+class Bench:
+    def __init__(self, isago, folder):
+        self.isago, self.folder = isago, folder / "run"
+
+    def command(self, *words, settings=(), scene=PIPE):
+        words = [self.isago, "run", str(scene), "-o", str(self.folder), "--threads", "1", *words]
+        for setting in [*(SMALL if scene == PIPE else []), *settings]:
+            words += ["--set", setting]
+        return words
+
+    def run(self, *words, settings=(), scene=PIPE, code=0, prepare=None):
+        """Runs to the end. @returns all that it said."""
+        done = subprocess.run(self.command(*words, settings=settings, scene=scene), stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                              text=True, timeout=300, preexec_fn=prepare)
+        expect(done.returncode == code, f"exit code {done.returncode}, not {code}:\n{done.stdout[-3000:]}")
+        return done.stdout
+
+    def start(self, *words):
+        return subprocess.Popen(self.command(*words), stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+
+    def checkpoints(self):
+        return sorted((self.folder / "checkpoints").glob("checkpoint_*.h5"))
+
+    def wait_for_checkpoints(self, count):
+        for _ in range(1200):
+            if len(self.checkpoints()) >= count:
+                return
+            time.sleep(0.05)
+        raise AssertionError("no checkpoint came in a minute")
+
+    def digest(self):
+        return subprocess.run([self.isago, "digest", str(self.folder)], capture_output=True, text=True, check=True).stdout.strip()
+
+
+def expect(condition, message):
+    if not condition:
+        raise AssertionError(message)
+
+
+def expect_words(text, *words):
+    for word in words:
+        expect(word in text, f"'{word}' is missing in:\n{text[-3000:]}")
+
+
+_expected = {}
+
+
+def undisturbed(bench):
+    """The digest of the same run without any fault."""
+    if "digest" not in _expected:
+        with tempfile.TemporaryDirectory() as folder:
+            other = Bench(bench.isago, pathlib.Path(folder))
+            other.run(*END)
+            _expected["digest"] = other.digest()
+    return _expected["digest"]
+
+
+def expect_same_end(bench, *words):
+    text = bench.run(*END, "--restart", *words)
+    expect(bench.digest() == undisturbed(bench), f"the end differs from that of an undisturbed run:\n{text}")
+    return text
+
+
+def scene_with_mistakes(bench, folder):
+    """A typo and a wrong unit are told with place and advice; particles outside the domain are refused."""
+    scene = folder / "scene.yaml"
+    scene.write_text((CONFIGS / "settling_bed" / "scene.yaml").read_text().replace("gravity:", "gravitty:").replace("2 mm", "2 kg"))
+    text = bench.run(scene=scene, code=WRONG_SCENE)
+    expect_words(text, "scene.yaml:", "gravitty", "did you mean 'gravity'", "2 kg")
+    low = "particles.glass.initial.low=[90 mm, 10 mm, 10 mm]"
+    text = bench.run(scene=CONFIGS / "settling_bed", settings=[low, "particles.glass.initial.high=[95 mm, 20 mm, 20 mm]"], code=WRONG_SCENE)
+    expect_words(text, "domain")
+    expect(not bench.folder.exists(), "a wrong scene has made a run directory")
+
+
+def more_ranks_than_blocks(bench, folder):
+    """Refused in one sentence, said once."""
+    text = bench.run("--ranks", "3", scene=CONFIGS / "settling_bed", code=WRONG_SCENE)
+    expect_words(text, "3 ranks, but the grid has only 2 blocks")
+    expect(text.count("3 ranks, but") == 1, f"said more than once:\n{text}")
+
+
+def second_run_in_the_same_place(bench, folder):
+    """An earlier run is neither overwritten nor mixed with."""
+    bench.run("--until", "0.2 ms")
+    text = bench.run("--until", "0.2 ms", code=WRONG_SCENE)
+    expect_words(text, "--restart", "--force")
+
+
+def damaged_checkpoint(bench, folder):
+    """The newest checkpoint is cut short, then the next has a changed byte: the one before is used, and it is said."""
+    bench.run("--until", "0.4 ms")
+    newest = bench.checkpoints()[-1]
+    newest.write_bytes(newest.read_bytes()[: newest.stat().st_size * 2 // 3])
+    second = bench.checkpoints()[-2]
+    data = bytearray(second.read_bytes())
+    data[len(data) // 2] ^= 1
+    second.write_bytes(data)
+    text = expect_same_end(bench)
+    expect_words(text, newest.name, second.name, "damaged", "restart from")
+
+
+def all_checkpoints_damaged(bench, folder):
+    """Nothing is begun anew by mistake."""
+    bench.run("--until", "0.2 ms")
+    for path in bench.checkpoints():
+        path.write_bytes(b"not a checkpoint")
+    text = bench.run("--restart", code=FAILED)
+    expect_words(text, "no good checkpoint")
+
+
+def signals(bench, folder):
+    """Ctrl-C and TERM end a run with a checkpoint and exit code 75; so they do through the ranks that the program starts."""
+    for number, ranks, then in ((signal.SIGINT, 1, 2), (signal.SIGTERM, 2, 1)):
+        words = ["--force"] if bench.folder.exists() else []
+        running = bench.start(*END, "--ranks", str(ranks), *words)
+        bench.wait_for_checkpoints(1)
+        running.send_signal(number)
+        text, _ = running.communicate(timeout=120)
+        expect(running.returncode == STOPPED, f"exit code {running.returncode} after {number.name}:\n{text}")
+        expect_words(text, "stopped by")
+        expect_same_end(bench, "--ranks", str(then))
+
+
+def killed(bench, folder):
+    """kill -9 at any moment, in the middle of a checkpoint, too."""
+    random_delay = random.Random(1)
+    running = bench.start("--until", "0.5 ms")
+    for _ in range(4):
+        bench.wait_for_checkpoints(1)
+        time.sleep(random_delay.uniform(0.0, 0.4))
+        running.kill()
+        running.communicate()
+        running = bench.start("--until", "0.5 ms", "--restart")
+    running.communicate(timeout=120)
+    unfinished = bench.checkpoints()[-1]
+    (unfinished.parent / (unfinished.name.replace(".h5", "9.h5.part"))).write_bytes(unfinished.read_bytes()[:5000])
+    expect_same_end(bench)
+
+
+def full_disk(bench, folder):
+    """A file that may not grow: one message, the earlier checkpoint is left, the run goes on when there is room."""
+    bench.run("--until", "0.2 ms")
+    before = bench.digest()
+    limit = bench.checkpoints()[-1].stat().st_size // 2
+    for ranks in ("1", "2"):
+        text = bench.run(*END, "--restart", "--ranks", ranks, code=FAILED, prepare=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit)))
+        expect_words(text, "checkpoint_")
+        expect(bench.digest() == before, "the earlier checkpoint was lost")
+    expect_same_end(bench)
+
+
+def numbers_blow_up(bench, folder):
+    """Absurd values end with a message, and the last good state is kept."""
+    bench.run("--until", "0.2 ms")
+    before = bench.digest()
+    text = bench.run(*END, "--restart", "--ranks", "2", settings=["fluid.drive.pressure_gradient=1e300 Pa/m"], code=FAILED)
+    expect_words(text, "saving the state before it", "not finite")
+    expect(bench.digest() == before, "the last good state was lost")
+
+
+TESTS = [scene_with_mistakes, more_ranks_than_blocks, second_run_in_the_same_place, damaged_checkpoint, all_checkpoints_damaged, signals,
+         killed, full_disk, numbers_blow_up]
+
+
+def main():
+    isago, names = sys.argv[1], sys.argv[2:]
+    failures = 0
+    for test in TESTS:
+        if names and test.__name__ not in names:
+            continue
+        start = time.monotonic()
+        with tempfile.TemporaryDirectory() as folder:
+            try:
+                test(Bench(isago, pathlib.Path(folder)), pathlib.Path(folder))
+                outcome = "good"
+            except (AssertionError, subprocess.SubprocessError, OSError) as error:
+                outcome, failures = f"FAILED: {error}", failures + 1
+        print(f"{test.__name__:30} {time.monotonic() - start:6.1f} s  {outcome}", flush=True)
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,146 @@
+# SPDX-FileCopyrightText: 2026 The Isago authors
+# SPDX-License-Identifier: Apache-2.0
+"""Whether the final state of a run is the same to the last bit for any ranks, threads, executor and restart.
+
+same_bits.py ISAGO [--long] [--case NAME]: runs scenes in many ways and compares `isago digest`; prints the matrix.
+"""
+import argparse
+import dataclasses
+import pathlib
+import subprocess
+import sys
+import tempfile
+import time
+
+CONFIGS = pathlib.Path(__file__).resolve().parents[3] / "configs"
+
+DRY_BED = """
+name: dry bed on several blocks
+grid:
+  box: { size: [24 mm, 24 mm, 24 mm], cells: [8, 8, 8], blocks: [2, 1, 2] }
+  periodic: [x]
+gravity: { direction: -y }
+particles:
+  - { name: glass, count: 300, diameter: 2 mm, density: 2500 kg/m3, initial: { arrangement: random, velocity: [0.5 m/s, 0 m/s, 0.3 m/s] } }
+contact: { law: linear, stiffness: 5 kN/m, restitution: 0.7, friction: 0.3 }
+run: { until: 40 ms }
+output: { checkpoint: never, results: never, pictures: never }
+"""
+
+
+@dataclasses.dataclass
+class Case:
+    """A scene, and times [ms] at which to stop: in the middle, for restarts, and at the end."""
+
+    scene: str
+    settings: list
+    middle: float
+    end: float
+
+
+QUIET = ["output.checkpoint=never", "output.results=never", "output.pictures=never"]
+
+
+def cases(long):
+    grains = ["particles.S.count=300", "particles.L.count=150"] if long else ["particles.S.count=80", "particles.L.count=40"]
+    pipe = ["grid.pipe.size=small", *grains, f"run.settle={20 if long else 5} ms", "run.limits.cfl=0.2" if long else "run.time_step=0.1 ms", *QUIET]
+    fluid = [*QUIET, "output.metrics=never", "grid.pipe.cells.across=12"]
+    middle, end = (5, 10) if long else (1, 2)
+    all_cases = {"pipe": Case(str(CONFIGS / "pipe_oscillating"), pipe, middle, end)}
+    if long:
+        all_cases["fluid"] = Case(str(CONFIGS / "pipe_womersley"), fluid, 50, 100)
+    all_cases["dry"] = Case(DRY_BED, [], 20 if long else 4, 40 if long else 8)
+    return all_cases
+
+
+@dataclasses.dataclass(frozen=True)
+class Way:
+    """How a case is run; `then` is the way in which it goes on after a stop in the middle."""
+
+    ranks: int = 1
+    threads: int = 1
+    executor: str = "serial"
+    then: "Way | None" = None
+
+    def __str__(self):
+        text = f"{self.ranks} x {self.threads} {self.executor}"
+        return text if self.then is None else f"{text}, stop, {self.then}"
+
+
+def ways(long):
+    """All ways; the first is the one that the others are compared with."""
+    if not long:
+        yield from (Way(), Way(1, 2, "tbb"), Way(1, 2, "openmp"), Way(2, 1, "serial"), Way(2, 2, "tbb"))
+        yield from (Way(2 - seed % 2, 1, f"shuffle:{seed}") for seed in (1, 2, 3))
+        yield from (Way(1, 1, "serial", Way(2, 1, "tbb")), Way(2, 1, "openmp", Way()))
+        return
+    for ranks in (1, 2, 4):
+        for threads in (1, 2):
+            for executor in ("serial", "openmp", "tbb"):
+                yield Way(ranks, threads, executor)
+    for seed in range(1, 21):
+        yield Way((1, 2, 4)[seed % 3], 1 + seed % 2, f"shuffle:{seed}")
+    for before, after in ((1, 1), (1, 2), (2, 1), (4, 2), (2, 4), (4, 1)):
+        yield Way(before, 1, "tbb", Way(after, 1, "tbb"))
+
+
+class Runner:
+    def __init__(self, isago, folder):
+        self.isago, self.folder, self.count = isago, pathlib.Path(folder), 0
+
+    def isago_run(self, case, way, folder, *words):
+        command = [self.isago, "run", self.scene(case), "-o", str(folder), "--ranks", str(way.ranks), "--threads", str(way.threads),
+                   "--executor", way.executor, *words]
+        for setting in case.settings:
+            command += ["--set", setting]
+        done = subprocess.run(command, capture_output=True, text=True, timeout=1800)
+        if done.returncode != 0:
+            raise RuntimeError(f"exit code {done.returncode} of {' '.join(command)}\n{done.stdout[-1000:]}{done.stderr[-2000:]}")
+
+    def scene(self, case):
+        if "\n" not in case.scene:
+            return case.scene
+        file = self.folder / f"{abs(hash(case.scene))}.yaml"
+        file.write_text(case.scene)
+        return str(file)
+
+    def digest(self, case, way):
+        self.count += 1
+        folder = self.folder / str(self.count)
+        if way.then is None:
+            self.isago_run(case, way, folder, "--until", f"{case.end} ms")
+        else:
+            self.isago_run(case, way, folder, "--until", f"{case.middle} ms")
+            self.isago_run(case, way.then, folder, "--until", f"{case.end} ms", "--restart")
+        return subprocess.run([self.isago, "digest", str(folder)], capture_output=True, text=True, check=True).stdout.strip()
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("isago")
+    parser.add_argument("--long", action="store_true")
+    parser.add_argument("--case")
+    arguments = parser.parse_args()
+    different = 0
+    with tempfile.TemporaryDirectory() as folder:
+        runner = Runner(arguments.isago, folder)
+        for name, case in cases(arguments.long).items():
+            if arguments.case not in (None, name):
+                continue
+            expected = None
+            for way in ways(arguments.long):
+                start = time.monotonic()
+                try:
+                    digest = runner.digest(case, way)
+                except (RuntimeError, subprocess.SubprocessError) as error:
+                    digest = f"failed: {error}"
+                expected = expected or digest
+                same = digest == expected and not digest.startswith("failed")
+                different += not same
+                print(f"{name:6} {str(way):42} {digest} {time.monotonic() - start:6.1f} s {'' if same else 'DIFFERENT'}", flush=True)
+    print(f"{different} ways gave other bits" if different else "all ways gave the same bits")
+    return 1 if different else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

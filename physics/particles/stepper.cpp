@@ -34,6 +34,14 @@ void ParticleStepper::begin(const Motion& motion, int sub_steps)
 
 void ParticleStepper::hand_over() { handing_over_ = true; }
 
+void ParticleStepper::give_up()
+{
+    dynamics_.forget_lists();
+    have_ghosts_ = handing_over_ = false;
+    sub_steps_ = 0;
+    wait_ = Wait::nothing;
+}
+
 bool ParticleStepper::work(const core::Team& team)
 {
     switch (wait_) {

@@ -28,6 +28,8 @@ public:
     /// Starts bringing every particle to the rank that owns the place where it lies, in a periodic domain back inside; no
     /// messages. Lists and ghosts are dropped. @pre the batch is finished
     void hand_over();
+    /// Gives up what has been begun, and all lists: to be followed by setting particles and history anew.
+    void give_up();
     /// Goes on to where messages of others are needed. @returns false when the batch or the handing over is finished.
     /// @throws core::NumericsError on all ranks alike if a particle has no finite speed.
     bool work(const core::Team& team);

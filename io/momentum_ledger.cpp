@@ -73,21 +73,25 @@ MomentumLedger::CellSums MomentumLedger::sum_cells(bool with_step) const
         if (!with_step) continue;
         const auto before = state.velocity_before.on(b), advected = f.advected.on(b), miss = f.miss.on(b), change = f.change.on(b);
         const auto old_gradient = own.pressure_gradient.on(b), new_gradient = own.psi_gradient.on(b);
-        const auto old_phi = f.fraction_before.on(b), outflow = f.fluid_outflow.on(b), response = f.response.on(b);
+        const auto old_phi = f.fraction_before.on(b), response = f.response.on(b);
         const auto grains = f.sums.on(b);
+        const bool viscous = own.viscous.allocated();
         core::for_each_cell(mesh.geometry(b).cells, [&](int i, int j, int k) {
             const double v = volume(i, j, k);
+            const auto mass_of = [&](double fraction) { return rho * v * fraction; };
             const physics::GrainResponse p = physics::predictor_sums(grains, i, j, k), q = physics::projection_sums(grains, i, j, k);
             for (int c = 0; c < 3; ++c) {
                 const auto n = std::size_t(c);
                 const auto at = [&](const auto& field) { return field.component(c)(i, j, k); };
                 const double force_change = -at(new_gradient), force = -at(old_gradient) + force_change;
+                const double stress = viscous ? rho * at(own.viscous.on(b)) : 0.0;
                 sum[6 + n] += v * dt * force;
-                sum[9 + n] += rho * (v * old_phi(i, j, k) * (at(advected) - at(before)) - dt * outflow(i, j, k) * at(advected));
+                sum[9 + n] += mass_of(phi(i, j, k)) * at(advected) - mass_of(old_phi(i, j, k)) * at(before) +
+                              v * dt * grains[physics::sum_solid](i, j, k) * stress;
                 // Steps 4 and 5 of response.hpp, read from the fluid's side, and the pressure on the grains.
                 sum[12 + n] += v * (grains[physics::sum_impulse + n](i, j, k) + p.added * at(miss) + p.reaction * at(change) -
                                     dt * q.flux * force_change + q.reaction * response(i, j, k) * force_change +
-                                    dt * grains[physics::sum_solid](i, j, k) * force);
+                                    dt * grains[physics::sum_solid](i, j, k) * (force + stress));
             }
         });
     }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #include "io/world_grains.hpp"
+#include "core/base/error.hpp"
 #include "core/grid/surface.hpp"
 #include "io/grid_builder.hpp"
 #include "io/physics_builder.hpp"
@@ -117,6 +118,15 @@ physics::CouplingParameters coupling_parameters(const Scene& scene)
     p.torque = wanted(coupling.torque, true);
     p.filter_width = coupling.filter.in_diameters ? coupling.filter.value * mean_diameter(scene) : coupling.filter.value;
     return p;
+}
+
+std::optional<physics::Mode> asked_mode(const Scene& scene)
+{
+    const CouplingMode mode = scene.coupling.value_or(Coupling{}).mode;
+    core::require<core::ConfigError>(mode != CouplingMode::coarse && mode != CouplingMode::concurrent,
+                                     "coupling.mode: 'coarse' and 'concurrent' cannot be run yet; use auto, pipelined or iterated");
+    if (mode == CouplingMode::automatic) return std::nullopt;
+    return mode == CouplingMode::iterated ? physics::Mode::iterated : physics::Mode::pipelined;
 }
 
 } // namespace io

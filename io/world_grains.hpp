@@ -21,4 +21,7 @@ void add_initial_particles(const Scene& scene, const physics::OwnerOf& owner_of,
 /// @pre scene.fluid and particles
 [[nodiscard]] physics::CouplingParameters coupling_parameters(const Scene& scene);
 
+/// The mode of coupling that the scene insists on; none for `auto`. @throws core::ConfigError for one that no step has.
+[[nodiscard]] std::optional<physics::Mode> asked_mode(const Scene& scene);
+
 } // namespace io

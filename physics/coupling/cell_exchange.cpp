@@ -2,21 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "physics/coupling/cell_exchange.hpp"
 #include "physics/coupling/predictor.hpp"
-#include "physics/coupling/true_up.hpp"
 
 namespace physics {
-
-void untold_change(const FluidOwn& own, CellVectors acceleration, core::VectorView<double> advected, core::VectorView<double> miss)
-{
-    core::for_each_cell(own.velocity.x.extents(), [&](int i, int j, int k) {
-        for (int c = 0; c < 3; ++c) {
-            const double known = own.drive[c] - own.pressure_gradient.component(c)(i, j, k) / own.density;
-            const double ua = own.predicted.component(c)(i, j, k) - own.dt * known;
-            advected.component(c)(i, j, k) = ua;
-            miss.component(c)(i, j, k) = own.velocity.component(c)(i, j, k) - ua - own.dt * acceleration.component(c)(i, j, k);
-        }
-    });
-}
 
 void predicted_velocity_change(const FluidOwn& own, const GrainSumViews& sums, CellVectors ledger, CellVectors miss,
                                core::VectorView<double> change)
@@ -27,9 +14,8 @@ void predicted_velocity_change(const FluidOwn& own, const GrainSumViews& sums, C
         for (int c = 0; c < 3; ++c) {
             const double force = own.density * own.drive[c] - own.pressure_gradient.component(c)(i, j, k);
             const double u = own.velocity.component(c)(i, j, k);
-            const double advected = own.predicted.component(c)(i, j, k) - own.dt * force / own.density;
-            const FluidPush push{ledger.component(c)(i, j, k), force, sums[sum_impulse + std::size_t(c)](i, j, k), u, advected,
-                                 miss.component(c)(i, j, k)};
+            const FluidPush push{ledger.component(c)(i, j, k), force, sums[sum_impulse + std::size_t(c)](i, j, k), u,
+                                 own.advected.component(c)(i, j, k), miss.component(c)(i, j, k)};
             change.component(c)(i, j, k) = predicted_change(push, own.density * phi, phi, response, own.dt);
         }
     });
@@ -59,15 +45,6 @@ void projection_response(const GrainSumViews& sums, double density, double dt, c
         const CellResponse cell = cell_response(density * phi, phi, projection_sums(sums, i, j, k), dt);
         response(i, j, k) = cell.velocity;
         mobility(i, j, k) = cell.mobility;
-    });
-}
-
-void advection_ledger_of(const core::BlockGeometry& geometry, core::View<const double> fraction, core::View<const double> fraction_before,
-                         core::View<const double> fluid_outflow, const FluidOwn& own, CellVectors advected, core::VectorView<double> ledger)
-{
-    core::for_each_cell(geometry.cells, [&](int i, int j, int k) {
-        const double change = fraction(i, j, k) - fraction_before(i, j, k) + own.dt * fluid_outflow(i, j, k) / geometry.volume(i, j, k);
-        for (int c = 0; c < 3; ++c) ledger.component(c)(i, j, k) = advection_ledger(own.density, change, advected.component(c)(i, j, k));
     });
 }
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// The cells' side of the exchange on one block: predictor, mobility of the projection, correction, ledger (steps 4, 5 and
-// 7 of response.hpp). Forces are per volume, without the drive unless said.
+// The cells' side of the exchange on one block: predictor and mobility of the projection (steps 4 and 5 of
+// response.hpp). Forces are per volume, without the drive unless said.
 #include "physics/coupling/exchange_fields.hpp"
 
 namespace physics {
@@ -10,18 +10,15 @@ namespace physics {
 using CellVectors = core::VectorView<const double>;
 using GrainSumViews = std::array<core::View<const double>, grain_sums>;
 
-/// The fluid's own change over the step: what the single-phase predictor found, split into known parts.
+/// What a cell knows of the fluid before it meets the grains.
 struct FluidOwn {
-    CellVectors velocity;          ///< u^n [m/s]
-    CellVectors predicted;         ///< u^n advected and diffused, plus dt (drive - grad p^n / rho) [m/s]
-    CellVectors pressure_gradient; ///< of p^n [Pa/m]
+    CellVectors velocity;          ///< that the grains were told: u^n, or of the last pass [m/s]
+    CellVectors advected;          ///< u^a: u^n advected and diffused [m/s]
+    CellVectors pressure_gradient; ///< that the grains were told [Pa/m]
     core::Vec3 drive;              ///< mean acceleration [m/s2]
     double density;                ///< [kg/m3]
     double dt;                     ///< [s]
 };
-
-/// u^a = predicted - dt (drive - grad p / rho); miss = u^n - u^a - dt Dudt.
-void untold_change(const FluidOwn& own, CellVectors acceleration, core::VectorView<double> advected, core::VectorView<double> miss);
 
 /// du of the predictor.
 void predicted_velocity_change(const FluidOwn& own, const GrainSumViews& sums, CellVectors ledger, CellVectors miss,
@@ -33,9 +30,5 @@ void predicted_volume_flux(const FluidOwn& own, const GrainSumViews& sums, CellV
 
 /// Coefficients of the projection.
 void projection_response(const GrainSumViews& sums, double density, double dt, core::View<double> response, core::View<double> mobility);
-
-/// Ledger of the advection, L = -rho (phi^{n+1} - phi^n + dt outflow / volume) u^a.
-void advection_ledger_of(const core::BlockGeometry& geometry, core::View<const double> fraction, core::View<const double> fraction_before,
-                         core::View<const double> fluid_outflow, const FluidOwn& own, CellVectors advected, core::VectorView<double> ledger);
 
 } // namespace physics

@@ -21,7 +21,7 @@ enum GrainSum : std::size_t {
 /// What grains sample before they move.
 enum GrainView : std::size_t {
     view_velocity,                           ///< u^n [m/s]
-    view_force = view_velocity + 3,          ///< G^n without the drive [N/m3]
+    view_force = view_velocity + 3,          ///< G^n = -grad p + div tau, without the drive [N/m3]
     view_acceleration = view_force + 3,      ///< (Du/Dt)^n [m/s2]
     view_vorticity = view_acceleration + 3,  ///< curl u^n [1/s]
     grain_views = view_vorticity + 3
@@ -51,9 +51,7 @@ struct ExchangeFields {
           response({"velocity per force", "m3 s/kg", 0, false}, mesh.own_cells()),
           mobility({"mobility", "m3 s/kg", 1, false}, mesh.own_cells()),
           known_mobility({"mobility of the known pressure", "m3 s/kg", 1, false}, mesh.own_cells()),
-          carried({"volume flux density without pressure", "m/s", 1, false}, mesh.own_cells()),
-          fluid_flux({"fluid volume flux density", "m/s", 1, false}, mesh.own_cells()),
-          fluid_outflow({"net outflow of fluid", "m3/s", 0, false}, mesh.own_cells())
+          carried({"volume flux density without pressure", "m/s", 1, false}, mesh.own_cells())
     {
     }
 
@@ -69,8 +67,6 @@ struct ExchangeFields {
     core::VectorField miss, change;
     core::ScalarField response, mobility, known_mobility;
     core::VectorField carried;
-    core::VectorField fluid_flux;     ///< phi u at the start of the step
-    core::ScalarField fluid_outflow;  ///< of fluid_flux
 };
 
 /// The response sums of a cell, read from the batch; the projection keeps its own reaction and flux.

@@ -52,8 +52,16 @@ core::Vec3 GrainExchange::column(const core::ParticleSet& grains, int first, int
     return {value(0), value(1), value(2)};
 }
 
-void GrainExchange::load(core::ParticleSet& grains, const GrainTable& views, std::span<const double> fraction,
-                         const core::Vec3& drive, double dt, double sub_step) const
+void GrainExchange::freeze_drag(core::ParticleSet& grains, const GrainTable& views, std::span<const double> fraction) const
+{
+    for (int g = 0; g < grains.owned; ++g) {
+        const auto k = std::size_t(g);
+        const double slip = (at(views, view_velocity, g) - grains.velocity_of(g)).norm();
+        grains.columns[std::size_t(columns_.drag)][k] = drag_coefficient(parameters_, slip, fraction[k], 2.0 * grains.radius[k]);
+    }
+}
+
+void GrainExchange::load(core::ParticleSet& grains, const GrainTable& views, const core::Vec3& drive, double dt, double sub_step) const
 {
     const CouplingParameters& p = parameters_;
     clear_impulses(grains, wet_);
@@ -68,7 +76,7 @@ void GrainExchange::load(core::ParticleSet& grains, const GrainTable& views, std
         const SpinInput spin{fluid - velocity, vorticity, grains.spin_of(g), diameter, p.fluid_density, p.viscosity};
         if (p.lift) known += magnus_lift(spin);
         WetLoad load;
-        load.drag = drag_coefficient(p, spin.slip.norm(), fraction[k], diameter);
+        load.drag = grains.columns[std::size_t(columns_.drag)][k];
         load.added_mass = mass;
         load.force = known + mass * at(views, view_acceleration, g);
         load.fluid_velocity = fluid;
@@ -80,7 +88,6 @@ void GrainExchange::load(core::ParticleSet& grains, const GrainTable& views, std
         put(grains, columns_.velocity_before, g, velocity);
         put(grains, columns_.known_force, g, known);
         put(grains, columns_.force_used, g, force);
-        grains.columns[std::size_t(columns_.drag)][k] = load.drag;
         grains.columns[std::size_t(columns_.added_mass)][k] = mass;
     }
 }
@@ -91,6 +98,13 @@ GrainCoupling GrainExchange::coupling_of(const core::ParticleSet& grains, int g,
     return {grains.mass[k], volume_of(grains, g), dt * grains.columns[std::size_t(columns_.drag)][k],
             grains.columns[std::size_t(columns_.added_mass)][k]};
 }
+
+double GrainExchange::drag_rate(const core::ParticleSet& grains, int g) const
+{
+    return grains.columns[std::size_t(columns_.drag)][std::size_t(g)] / grains.mass[std::size_t(g)];
+}
+
+double GrainExchange::volume(const core::ParticleSet& grains, int g) { return volume_of(grains, g); }
 
 double GrainExchange::hold_of(const core::ParticleSet& grains, int g) const
 {

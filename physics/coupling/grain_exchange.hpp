@@ -34,12 +34,14 @@ public:
     [[nodiscard]] const WetColumns& wet_columns() const { return wet_; }
     [[nodiscard]] const ExchangeColumns& columns() const { return columns_; }
 
-    /// Step 2: loads of all owned grains.
+    /// Step 2: drag coefficients of all owned grains, for the whole step.
     /// @param views     grain_views columns sampled at the grains.
     /// @param fraction  phi at the grains.
-    /// @param drive     Mean acceleration of the fluid by the drive over the step [m/s2].
-    void load(core::ParticleSet& grains, const GrainTable& views, std::span<const double> fraction, const core::Vec3& drive,
-              double dt, double sub_step) const;
+    void freeze_drag(core::ParticleSet& grains, const GrainTable& views, std::span<const double> fraction) const;
+
+    /// Step 2: loads of all owned grains.
+    /// @param drive  Mean acceleration of the fluid by the drive over the step [m/s2].
+    void load(core::ParticleSet& grains, const GrainTable& views, const core::Vec3& drive, double dt, double sub_step) const;
 
     /// Step 3: what each grain deposits; grain_sums columns.
     void answer(const core::ParticleSet& grains, double dt, GrainTable& deposits) const;
@@ -47,6 +49,10 @@ public:
     /// Step 6: what each grain is owed.
     /// @param news  grain_news columns sampled at the grains.
     void owe(core::ParticleSet& grains, const GrainTable& news, double dt) const;
+
+    /// K / m, K that of the last step [1/s].
+    [[nodiscard]] double drag_rate(const core::ParticleSet& grains, int g) const;
+    [[nodiscard]] static double volume(const core::ParticleSet& grains, int g);
 
 private:
     [[nodiscard]] GrainCoupling coupling_of(const core::ParticleSet& grains, int g, double dt) const;

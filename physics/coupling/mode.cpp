@@ -65,6 +65,17 @@ ModeChoice choose_mode(const StabilityNumbers& n)
     return {Mode::pipelined, core::text("pipelined: grains in contact or pressure lag (A) need the grains' real state; ", numbers)};
 }
 
+ModeChoice mode_of_step(std::optional<Mode> asked, const StabilityNumbers& numbers, std::int64_t step)
+{
+    if (asked == Mode::iterated) return {Mode::iterated, "iterated: as the scene asks"};
+    if (step == 0) return {Mode::iterated, "iterated: the first step knows no pressure yet"};
+    const ModeChoice best = choose_mode(numbers);
+    if (asked && holds(*asked, numbers)) return {*asked, core::text(name(*asked), ": as the scene asks")};
+    if (asked) return {Mode::iterated, core::text("iterated: '", name(*asked), "' is unstable in this state; ", best.reason)};
+    if (best.mode != Mode::concurrent) return best;
+    return {Mode::pipelined, core::text("pipelined: holds wherever concurrent does (", best.reason, ")")};
+}
+
 void require_stable(Mode mode, const StabilityNumbers& n)
 {
     core::require<core::ConfigError>(holds(mode, n), core::text("coupling mode '", name(mode), "' is unstable here; use '",

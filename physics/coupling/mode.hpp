@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Which coupling mode a scene can stand: stability numbers and the choice of `auto`, with its reason.
+#include <cstdint>
+#include <optional>
 #include <string>
 
 namespace physics {
@@ -38,6 +40,10 @@ struct ModeChoice {
 
 /// The mode with the most overlap that holds for these numbers, and why.
 [[nodiscard]] ModeChoice choose_mode(const StabilityNumbers& numbers);
+
+/// The mode of one step, and why: the first of a run, and every step that the mode asked for could not stand, is `iterated`.
+/// @param asked  None: by choose_mode(), among the modes that steps are made of (`pipelined`, `iterated`).
+[[nodiscard]] ModeChoice mode_of_step(std::optional<Mode> asked, const StabilityNumbers& numbers, std::int64_t step);
 
 /// @throws core::ConfigError if the user asked for a mode that these numbers make unstable; names the mode that holds.
 void require_stable(Mode mode, const StabilityNumbers& numbers);

@@ -10,6 +10,8 @@
 // hold h in 0..1 (contact_share.hpp), owed impulse. Per cell: phi, C = 1 - phi, G = -grad p + div tau - drive [N/m3],
 // Dudt = (u^{n+1} - u^a) / dt of the last step, ledger L [N s/m3].
 //
+// (div tau, that of u^n, acts on the grains alone here: for the fluid it is in u^a. It does not change within a step.)
+//
 //  1. Fluid lane, beside 2:  u^a = u^n advected and diffused, from state n alone.
 //  2. Grain lane (all DEM sub-steps): frozen B u^n, force f = V B G^n + (rho_p - rho) V g + owed / dt + a B Dudt^n and
 //     contacts; exact exponential drag with mass m + a. Record per grain the contact impulse I_c and
@@ -25,10 +27,11 @@
 //        div(mobility dG) = - div(phi u* + solid flux*),   dG = - grad(dp);   u^{n+1} = u* + ru dG,  G^{n+1} = G^n + dG.
 //     (Total volume flux phi u + solid flux is free of divergence at n+1; the factor mobility stands on the faces.)
 //  6. True-up per grain (true_up.hpp): what the fluid gave beyond J is owed and delivered evenly over the next interval.
-//  7. Ledger per cell: what the fluid is still owed, added in 4 of the next step: flux-form defect of the advection
-//        L = rho phi^n u^n - dt div(F rho u) - rho phi^{n+1} u^a,  F the volume flux of the fluid at n, u as advected
-//     (conserved_ledger; for an advective form implicit in u^a this is - rho (phi^{n+1} - phi^n + dt div F) u^a)
-//     and, in `coarse` and `concurrent`, + put(J predicted - J real).
+//  7. Ledger per cell: what the fluid is still owed, added in 4 of the next step. None where the grains' real impulse is
+//     waited for and advection is semi-Lagrangian: u^a is then a velocity, which no error of continuity may change (a uniform
+//     flow stays uniform), and what its momentum rho (phi^{n+1} u^a - phi^n u^n) makes or loses is a line of the budget.
+//     In `coarse` and `concurrent`: put(J predicted - J real). With flux-form advection (test column): besides,
+//        L = rho phi^n u^n - dt div(F rho u) - rho phi^{n+1} u^a,  F the volume flux of the fluid at n   (conserved_ledger).
 // `iterated` repeats 2-6 from state n with u, Dudt and G of the last pass in place of those of state n: then r of step 4 has
 // rho phi (u^a - u_used), and miss = u_used - u^a - dt Dudt_used. `coarse` takes J, v, h in 3-5 from a DEM pass of longer
 // sub-steps and phi^n; `concurrent` from free flight held back by h of the last step. The first step of a run: `iterated`.

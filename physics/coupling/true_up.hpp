@@ -27,13 +27,6 @@ struct SampledChange {
          - projection_response.flux * dt * at.force_change;
 }
 
-/// Ledger of an advective form that is implicit in u^a (others: conserved_ledger): the fluid mass that the moving bed displaced carries u^a [N s/m3].
-/// @param fraction_change  phi^{n+1} - phi^n + dt div F, F the fluid's volume flux at n [-].
-[[nodiscard]] inline double advection_ledger(double density, double fraction_change, double velocity_advected)
-{
-    return -density * fraction_change * velocity_advected;
-}
-
 /// Ledger of any advection: what flux form would have kept, less what the new fluid mass carries at u^a [N s/m3].
 /// @param kept        rho phi^n u^n - dt div(F rho u), the momentum of a conservative advection [N s/m3].
 /// @param fluid_mass  rho phi^{n+1} [kg/m3].

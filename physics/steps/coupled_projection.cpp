@@ -12,10 +12,9 @@ using core::FaceView, core::LocalBlock, core::VectorView, core::View;
 using tasks::halo, tasks::reads, tasks::updates, tasks::writes;
 using Vectors = VectorView<const double>;
 
-FluidOwn CoupledStep::own(CellVectors velocity, CellVectors predicted, CellVectors pressure_gradient, const FluidClock& clock) const
+FluidOwn CoupledStep::own(CellVectors velocity, CellVectors advected, CellVectors pressure_gradient, const FluidClock& clock) const
 {
-    const FluidParameters& p = fluid_.parameters();
-    return {velocity, predicted, pressure_gradient, mean_acceleration(p.drive, clock.drive, clock.time, clock.dt), p.density, clock.dt};
+    return {velocity, advected, pressure_gradient, drive_of(clock), fluid_.parameters().density, clock.dt};
 }
 
 void CoupledStep::declare_boundaries(tasks::StageGraph& graph)
@@ -25,6 +24,27 @@ void CoupledStep::declare_boundaries(tasks::StageGraph& graph)
                        [this](LocalBlock b, View<double> q) { mirror_even(fluid_.walls()[std::size_t(b)], 1, q); });
 }
 
+void CoupledStep::declare_advected(tasks::StageGraph& graph)
+{
+    auto& fluid = fluid_.fields();
+    auto& state = fluid_.state();
+    graph.each_block(
+        "advected velocity",
+        [this](LocalBlock, Vectors predicted, Vectors gp, const FluidClock& clock, VectorView<double> advected) {
+            const core::Vec3 drive = drive_of(clock);
+            const double per_gradient = clock.dt / fluid_.parameters().density;
+            for (int c = 0; c < 3; ++c)
+                map_cells(advected.component(c), [=, gain = clock.dt * drive[c]](double u, double g) { return u - (gain - per_gradient * g); },
+                          predicted.component(c), gp.component(c));
+        },
+        reads(fluid.predicted, fluid.pressure_gradient, clock_), writes(fields_.advected));
+    graph.each_block(
+        "remember velocity",
+        [](LocalBlock, Vectors u, VectorView<double> before) { map_components(before, [](double x) { return x; }, u); },
+        reads(state.velocity), writes(state.velocity_before));
+    graph.sink(state.velocity_before);
+}
+
 void CoupledStep::declare_predictor(tasks::StageGraph& graph)
 {
     auto& f = fields_;
@@ -32,18 +52,17 @@ void CoupledStep::declare_predictor(tasks::StageGraph& graph)
     auto& velocity = fluid_.state().velocity;
     graph.each_block(
         "untold change of velocity",
-        [this](LocalBlock, Vectors u, Vectors predicted, Vectors gp, Vectors acceleration, const FluidClock& clock,
-               VectorView<double> advected, VectorView<double> miss) {
-            untold_change(own(u, predicted, gp, clock), acceleration, advected, miss);
+        [](LocalBlock, Vectors u, Vectors advected, Vectors acceleration, const FluidClock& clock, VectorView<double> miss) {
+            map_components(miss, [dt = clock.dt](double v, double ua, double a) { return v - ua - dt * a; }, u, advected, acceleration);
         },
-        reads(velocity, fluid.predicted, fluid.pressure_gradient, f.acceleration, clock_), writes(f.advected, f.miss));
+        reads(velocity, f.advected, f.acceleration, clock_), writes(f.miss));
     graph.each_block(
         "predict with grains",
-        [this](LocalBlock, Vectors u, Vectors predicted, Vectors gp, const FluidClock& clock, GrainSumViews sums, Vectors ledger,
+        [this](LocalBlock, Vectors u, Vectors advected, Vectors gp, const FluidClock& clock, GrainSumViews sums, Vectors ledger,
                Vectors miss, VectorView<double> change) {
-            predicted_velocity_change(own(u, predicted, gp, clock), sums, ledger, miss, change);
+            predicted_velocity_change(own(u, advected, gp, clock), sums, ledger, miss, change);
         },
-        reads(velocity, fluid.predicted, fluid.pressure_gradient, clock_, f.sums, f.ledger, f.miss), writes(f.change));
+        reads(velocity, f.advected, fluid.pressure_gradient, clock_, f.sums, f.ledger, f.miss), writes(f.change));
     graph.each_block(
         "projection response",
         [this](LocalBlock, GrainSumViews sums, const FluidClock& clock, View<double> response, View<double> mobility) {
@@ -62,11 +81,11 @@ void CoupledStep::declare_volume_flux(tasks::StageGraph& graph)
     auto& state = fluid_.state();
     graph.each_block(
         "volume flux with grains",
-        [this](LocalBlock, Vectors u, Vectors predicted, Vectors gp, const FluidClock& clock, GrainSumViews sums, Vectors change,
+        [this](LocalBlock, Vectors u, Vectors advected, Vectors gp, const FluidClock& clock, GrainSumViews sums, Vectors change,
                Vectors miss, View<double> known, VectorView<double> carried) {
-            predicted_volume_flux(own(u, predicted, gp, clock), sums, change, miss, known, carried);
+            predicted_volume_flux(own(u, advected, gp, clock), sums, change, miss, known, carried);
         },
-        reads(state.velocity, fluid.predicted, fluid.pressure_gradient, clock_, f.sums, f.change, f.miss),
+        reads(state.velocity, f.advected, fluid.pressure_gradient, clock_, f.sums, f.change, f.miss),
         writes(f.known_mobility, f.carried));
     graph.each_block(
         "face flux with grains",
@@ -124,38 +143,6 @@ void CoupledStep::declare_correction(tasks::StageGraph& graph)
     auto& fluid = fluid_.fields();
     auto& state = fluid_.state();
     graph.each_block(
-        "fluid volume flux",
-        [](LocalBlock, Vectors u, View<const double> fraction, VectorView<double> flux) {
-            for (int c = 0; c < 3; ++c) map_cells(flux.component(c), [](double v, double phi) { return phi * v; }, u.component(c), fraction);
-        },
-        reads(state.velocity, f.fraction), writes(f.fluid_flux));
-    graph.each_block(
-        "net outflow of fluid",
-        [this](LocalBlock b, Vectors w, FaceView<double> scratch, View<double> outflow) {
-            interpolated_flux(geometry(b), fluid_.walls()[std::size_t(b)], w, scratch);
-            net_outflow(scratch, outflow);
-        },
-        reads(halo(f.fluid_flux, 1)), writes(fluid.face_scratch, f.fluid_outflow));
-    graph.each_block(
-        "fluid fraction",
-        [](LocalBlock, GrainSumViews sums, View<double> fraction, View<double> before) {
-            map_cells(before, [](double phi) { return phi; }, fraction);
-            map_cells(fraction, [](double c) { return 1.0 - c; }, sums[sum_solid]);
-        },
-        reads(f.sums), updates(f.fraction), writes(f.fraction_before));
-    graph.each_block(
-        "ledger of advection",
-        [this](LocalBlock b, View<const double> fraction, View<const double> before, View<const double> outflow, Vectors u, Vectors predicted,
-               Vectors gp, const FluidClock& clock, Vectors advected, VectorView<double> ledger) {
-            advection_ledger_of(geometry(b), fraction, before, outflow, own(u, predicted, gp, clock), advected, ledger);
-        },
-        reads(f.fraction, f.fraction_before, f.fluid_outflow, state.velocity, fluid.predicted, fluid.pressure_gradient, clock_, f.advected),
-        writes(f.ledger));
-    graph.each_block(
-        "remember velocity",
-        [](LocalBlock, Vectors u, VectorView<double> before) { map_components(before, [](double x) { return x; }, u); },
-        reads(state.velocity), writes(state.velocity_before));
-    graph.each_block(
         "correct velocity with grains",
         [](LocalBlock, Vectors change, View<const double> response, Vectors gradient, VectorView<double> u) {
             for (int c = 0; c < 3; ++c)
@@ -173,9 +160,22 @@ void CoupledStep::declare_correction(tasks::StageGraph& graph)
         "correct pressure with grains",
         [](LocalBlock, View<const double> change, View<double> p) { map_cells(p, [](double old, double d) { return old + d; }, p, change); },
         reads(fluid.psi), updates(state.pressure));
-    for (auto* field : {&f.acceleration, &f.ledger, &state.velocity_before}) graph.sink(*field);
+    graph.sink(f.acceleration);
     graph.sink(state.pressure);
     graph.sink(state.flux);
+}
+
+void CoupledStep::declare_fraction(tasks::StageGraph& graph)
+{
+    auto& f = fields_;
+    graph.each_block(
+        "fluid fraction",
+        [](LocalBlock, GrainSumViews sums, View<double> fraction, View<double> before) {
+            map_cells(before, [](double phi) { return phi; }, fraction);
+            map_cells(fraction, [](double c) { return 1.0 - c; }, sums[sum_solid]);
+        },
+        reads(f.sums), updates(f.fraction), writes(f.fraction_before));
+    graph.sink(f.fraction);
 }
 
 } // namespace physics

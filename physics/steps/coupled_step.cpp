@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // CoupledStep, the grains' side: loads, sub-steps, sums and what grains are owed.
 #include "physics/steps/coupled_step.hpp"
+#include "physics/coupling/drag.hpp"
 #include "physics/fluid/cell_loops.hpp"
 #include "physics/fluid/gradient.hpp"
 #include "physics/steps/batch_filter.hpp"
+#include "physics/steps/grain_job.hpp"
 
 namespace physics {
 
@@ -44,7 +46,7 @@ CoupledStep::CoupledStep(const core::Mesh& mesh, const core::Communicator& ranks
       filter_(make_mesh_links(mesh, ranks.rank(), BehindWalls::nothing).topology, {parameters.filter_width}),
       face_mobility_({"mobility on faces", "m3 s/kg", 0, false}, mesh.own_cells()),
       known_face_mobility_({"mobility of the known pressure on faces", "m3 s/kg", 0, false}, mesh.own_cells()),
-      grains_("grains", grains), clock_("fluid clock", fluid.state().clock), places_("places of grains")
+      grains_("grains", grains), clock_("fluid clock", fluid.state().clock), places_("places of grains"), kept_("grains at the start")
 {
     fields_.fraction.allocate();
     fields_.acceleration.allocate();
@@ -52,28 +54,55 @@ CoupledStep::CoupledStep(const core::Mesh& mesh, const core::Communicator& ranks
     fields_.sums.allocate();
 }
 
-void CoupledStep::declare(tasks::StageGraph& graph)
+core::Vec3 CoupledStep::drive_of(const FluidClock& clock) const
 {
+    return mean_acceleration(fluid_.parameters().drive, clock.drive, clock.time, clock.dt);
+}
+
+void CoupledStep::declare(tasks::StageGraph& graph, Mode mode)
+{
+    const int passes = mode == Mode::iterated ? passes_of_iterated : 1;
     declare_boundaries(graph);
     fluid_.declare_boundaries(graph);
-    {
-        const auto lane = graph.lane("particles");
-        declare_grain_load(graph);
-        declare_grain_sums(graph);
-    }
-    {
+    for (int pass = 0; pass < passes; ++pass) {
+        if (pass == 0) {
+            const auto lane = graph.lane("fluid");
+            fluid_.declare_explicit(graph);
+        } else declare_gradient(graph);
+        {
+            const auto lane = graph.lane("particles");
+            declare_views(graph);
+            if (pass == 0) declare_grain_load(graph);
+            else declare_restart_of_grains(graph);
+            declare_grain_sums(graph);
+        }
         const auto lane = graph.lane("fluid");
-        fluid_.declare_predictor(graph);
+        if (pass == 0) {
+            fluid_.declare_predictor(graph);
+            declare_advected(graph);
+        }
         declare_predictor(graph);
         declare_volume_flux(graph);
         declare_projection(graph);
         declare_correction(graph);
     }
     const auto lane = graph.lane("particles");
+    declare_fraction(graph);
     declare_answer(graph);
 }
 
-void CoupledStep::declare_grain_load(tasks::StageGraph& graph)
+/// Of the pressure that the last pass found.
+void CoupledStep::declare_gradient(tasks::StageGraph& graph)
+{
+    const auto lane = graph.lane("fluid");
+    graph.each_block(
+        "gradient of told pressure",
+        [this](LocalBlock b, View<const double> p, VectorView<double> gp) { gradient(geometry(b), geometry(b).gradient, p, gp); },
+        reads(halo(fluid_.state().pressure, 1)), writes(fluid_.fields().pressure_gradient));
+}
+
+/// What the grains are told: state n, or what the last pass found.
+void CoupledStep::declare_views(tasks::StageGraph& graph)
 {
     auto& f = fields_;
     auto& state = fluid_.state();
@@ -89,6 +118,16 @@ void CoupledStep::declare_grain_load(tasks::StageGraph& graph)
             vorticity(geometry(b), u, scratch, vector(view_vorticity));
         },
         reads(halo(state.velocity, 3), halo(state.pressure, 1), f.acceleration), writes(f.gradient, f.views));
+    if (fluid_.viscosity_system())
+        graph.each_block(
+            "viscous stress for grains",
+            [rho = parameters_.fluid_density](LocalBlock, Vectors viscous, std::array<View<double>, grain_views> views) {
+                for (int c = 0; c < 3; ++c) {
+                    const auto force = views[view_force + std::size_t(c)];
+                    map_cells(force, [rho](double g, double a) { return g + rho * a; }, force, viscous.component(c));
+                }
+            },
+            reads(fluid_.fields().viscous), updates(f.views));
     graph.whole(
         "filter fluid for grains",
         [this](tasks::Lane& lane, core::FieldBatch<grain_views>& views) -> tasks::Job {
@@ -96,6 +135,11 @@ void CoupledStep::declare_grain_load(tasks::StageGraph& graph)
             co_await fill_for_sampling(lane, mesh_, plan_, views);
         },
         updates(f.views));
+}
+
+void CoupledStep::declare_grain_load(tasks::StageGraph& graph)
+{
+    auto& f = fields_;
     graph.whole(
         "load grains",
         [this](tasks::Lane& lane, const core::FieldBatch<grain_views>& views, const core::ScalarField& fraction, const FluidClock& clock,
@@ -104,29 +148,40 @@ void CoupledStep::declare_grain_load(tasks::StageGraph& graph)
             sample(lane.team(), places, std::size_t(grains.particles.owned), views, table);
             std::vector<double> fractions(std::size_t(grains.particles.owned));
             for (LocalBlock b = 0; b < mesh_.own_count(); ++b) places.sample(b, fraction.on(b), fractions);
-            const core::Vec3 drive = mean_acceleration(fluid_.parameters().drive, clock.drive, clock.time, clock.dt);
-            exchange_.load(grains.particles, table, fractions, drive, clock.dt, grains.step());
+            exchange_.freeze_drag(grains.particles, table, fractions);
+            exchange_.load(grains.particles, table, drive_of(clock), clock.dt, grains.step());
         },
         reads(f.views, halo(f.fraction, 1), clock_, places_), updates(grains_));
     graph.whole(
-        "move grains", [this](tasks::Lane& lane, ParticleDynamics&) { return move_grains(lane); }, updates(grains_));
+        "keep grains",
+        [](tasks::Lane&, const ParticleDynamics& grains, GrainState& kept) { kept = {grains.particles, grains.history}; },
+        reads(grains_), writes(kept_));
 }
 
-tasks::Job CoupledStep::move_grains(tasks::Lane& lane)
+void CoupledStep::declare_restart_of_grains(tasks::StageGraph& graph)
 {
-    stepper_.begin(WetMotion{exchange_.wet_columns()}, sub_steps);
-    while (stepper_.work(lane.team())) {
-        core::Pending pending;
-        {
-            const auto mpi = lane.messages();
-            stepper_.post(lane.communicator(), pending);
-        }
-        co_await lane.arrive(pending);
-    }
+    graph.whole(
+        "load grains again",
+        [this](tasks::Lane& lane, const core::FieldBatch<grain_views>& views, const FluidClock& clock, const GrainState& kept,
+               GrainPlaces& places, ParticleDynamics& grains) {
+            grains.particles = kept.particles;
+            grains.history = kept.history;
+            places.locate(mesh_, locator_, grains.domain(), grains.particles);
+            GrainTable table;
+            sample(lane.team(), places, std::size_t(grains.particles.owned), views, table);
+            exchange_.load(grains.particles, table, drive_of(clock), clock.dt, grains.step());
+        },
+        reads(fields_.views, clock_, kept_), updates(places_, grains_));
 }
 
 void CoupledStep::declare_grain_sums(tasks::StageGraph& graph)
 {
+    graph.whole(
+        "move grains",
+        [this](tasks::Lane& lane, ParticleDynamics&) {
+            return move_grains(lane, stepper_, WetMotion{exchange_.wet_columns()}, sub_steps);
+        },
+        updates(grains_));
     graph.whole(
         "sum over grains",
         [this](tasks::Lane& lane, const ParticleDynamics& grains, const FluidClock& clock, GrainPlaces& places,
@@ -155,6 +210,23 @@ tasks::Job CoupledStep::sum_over_grains(tasks::Lane& lane, const ParticleDynamic
         for (const auto& field : sums.on(b)) map_cells(field, [](double q, double volume) { return q / volume; }, field, geometry(b).volume.view());
     });
     co_await filter_batch(lane, filter_, sums);
+}
+
+StabilityNumbers CoupledStep::stability(double dt) const
+{
+    StabilityNumbers n;
+    for (LocalBlock b = 0; b < mesh_.own_count(); ++b) {
+        const auto solid = fields_.sums.on(b)[sum_solid];
+        core::for_each_cell(geometry(b).cells, [&](int i, int j, int k) { n.solid_fraction = std::max(n.solid_fraction, solid(i, j, k)); });
+    }
+    const double fluid_share = 1.0 - std::min(n.solid_fraction, 1.0 - smallest_closure_fraction);
+    for (int g = 0; g < dynamics_.particles.owned; ++g) {
+        const double ratio = dynamics_.particles.mass[std::size_t(g)] / (parameters_.fluid_density * exchange_.volume(dynamics_.particles, g));
+        n.stiffness = std::max(n.stiffness, dt * exchange_.drag_rate(dynamics_.particles, g));
+        n.loading = std::max(n.loading, ratio * (1.0 - fluid_share) / fluid_share);
+        n.amplification = std::max(n.amplification, added_mass_amplification(fluid_share, ratio, parameters_.added_mass));
+    }
+    return n;
 }
 
 template <std::size_t N>
@@ -196,6 +268,16 @@ void CoupledStep::declare_answer(tasks::StageGraph& graph)
             }
         },
         reads(fluid.pressure_gradient, fluid.psi_gradient, f.change, f.response, f.miss), writes(f.news));
+    if (fluid_.viscosity_system())
+        graph.each_block(
+            "viscous answer for grains",
+            [rho = parameters_.fluid_density](LocalBlock, Vectors viscous, std::array<View<double>, grain_news> news) {
+                for (int c = 0; c < 3; ++c) {
+                    const auto force = news[news_force + std::size_t(c)];
+                    map_cells(force, [rho](double g, double a) { return g + rho * a; }, force, viscous.component(c));
+                }
+            },
+            reads(fluid.viscous), updates(f.news));
     graph.whole(
         "filter answer for grains",
         [this](tasks::Lane& lane, core::FieldBatch<grain_news>& news) -> tasks::Job {

@@ -12,6 +12,9 @@
 
 namespace physics {
 
+/// Passes of the mode `iterated`.
+inline constexpr int passes_of_iterated = 3;
+
 class CoupledStep {
 public:
     /// All references must outlive the step. Collective.
@@ -20,35 +23,42 @@ public:
     CoupledStep(const CoupledStep&) = delete;
     CoupledStep& operator=(const CoupledStep&) = delete;
 
-    /// Declares all stages, those of the fluid included.
-    void declare(tasks::StageGraph& graph);
+    /// Declares all stages, those of the fluid included. May be called for several graphs, of which each step runs one.
+    void declare(tasks::StageGraph& graph, Mode mode = Mode::pipelined);
     /// Finds the grains among the cells and sets the fluid fraction of the first step. Collective.
     [[nodiscard]] tasks::Job initialise(tasks::Lane& lane);
 
     [[nodiscard]] ExchangeFields& fields() { return fields_; }
     [[nodiscard]] const GrainExchange& exchange() const { return exchange_; }
     [[nodiscard]] const MixturePressure& pressure() const { return pressure_; }
+    /// Extremes of the present state on this rank, for steps of `dt` [s]; the drag is that of the last step, 0 before the first.
+    [[nodiscard]] StabilityNumbers stability(double dt) const;
     [[nodiscard]] int filter_degree() const { return filter_.degree(); }
     /// Sub-steps of the grains in the step that is being made; set it together with the clock's dt = sub_steps * sub-step.
     int sub_steps = 1;
 
 private:
     void declare_boundaries(tasks::StageGraph& graph);
+    void declare_gradient(tasks::StageGraph& graph);
+    void declare_views(tasks::StageGraph& graph);
     void declare_grain_load(tasks::StageGraph& graph);
+    void declare_restart_of_grains(tasks::StageGraph& graph);
     void declare_grain_sums(tasks::StageGraph& graph);
+    void declare_advected(tasks::StageGraph& graph);
     void declare_predictor(tasks::StageGraph& graph);
     void declare_volume_flux(tasks::StageGraph& graph);
     void declare_projection(tasks::StageGraph& graph);
     void declare_correction(tasks::StageGraph& graph);
+    void declare_fraction(tasks::StageGraph& graph);
     void declare_answer(tasks::StageGraph& graph);
 
-    [[nodiscard]] tasks::Job move_grains(tasks::Lane& lane);
     [[nodiscard]] tasks::Job sum_over_grains(tasks::Lane& lane, const ParticleDynamics& grains, double dt, GrainPlaces& places,
                                              core::FieldBatch<grain_sums>& sums);
     template <std::size_t N>
     void sample(const core::Team& team, const GrainPlaces& places, std::size_t grains, const core::FieldBatch<N>& batch,
                 GrainTable& table) const;
-    [[nodiscard]] FluidOwn own(CellVectors velocity, CellVectors predicted, CellVectors pressure_gradient, const FluidClock& clock) const;
+    [[nodiscard]] core::Vec3 drive_of(const FluidClock& clock) const;
+    [[nodiscard]] FluidOwn own(CellVectors velocity, CellVectors advected, CellVectors pressure_gradient, const FluidClock& clock) const;
     [[nodiscard]] const core::BlockGeometry& geometry(core::LocalBlock b) const { return mesh_.geometry(b); }
 
     const core::Mesh& mesh_;
@@ -67,6 +77,11 @@ private:
     tasks::Part<ParticleDynamics> grains_;
     tasks::Part<FluidClock> clock_;
     tasks::Value<GrainPlaces> places_;
+    struct GrainState {
+        core::ParticleSet particles;
+        core::ContactHistory history;
+    };
+    tasks::Value<GrainState> kept_; ///< loaded, before the first sub-step: where a repeated pass begins
 };
 
 } // namespace physics

@@ -30,11 +30,12 @@ void FluidStep::declare(tasks::StageGraph& graph)
 {
     const auto lane = graph.lane("fluid");
     declare_boundaries(graph);
+    declare_explicit(graph);
     declare_predictor(graph);
     declare_projection(graph);
 }
 
-void FluidStep::declare_predictor(tasks::StageGraph& graph)
+void FluidStep::declare_explicit(tasks::StageGraph& graph)
 {
     auto& f = fields_;
     graph.each_block(
@@ -42,6 +43,11 @@ void FluidStep::declare_predictor(tasks::StageGraph& graph)
         [this](LocalBlock b, View<const double> p, VectorView<double> gp) { gradient(geometry(b), geometry(b).gradient, p, gp); },
         reads(halo(state_.pressure, 1)), writes(f.pressure_gradient));
     if (viscosity_system_) declare_explicit_viscosity(graph);
+}
+
+void FluidStep::declare_predictor(tasks::StageGraph& graph)
+{
+    auto& f = fields_;
     declare_advection(graph);
     graph.each_block(
         "predict velocity",

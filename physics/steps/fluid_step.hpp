@@ -25,6 +25,8 @@ public:
     void declare(tasks::StageGraph& graph);
     /// What holds at walls: before any stage that reads a halo.
     void declare_boundaries(tasks::StageGraph& graph);
+    /// Gradient of pressure and viscous acceleration of the old state.
+    void declare_explicit(tasks::StageGraph& graph);
     /// Up to the predicted velocity: nothing here depends on the particles of this step.
     void declare_predictor(tasks::StageGraph& graph);
     /// From the predicted velocity to the new state.

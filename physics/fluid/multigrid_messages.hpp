@@ -7,6 +7,7 @@
 #include "physics/fluid/multigrid_level.hpp"
 #include <span>
 #include <vector>
+#include <cstring>
 
 namespace physics {
 
@@ -28,8 +29,11 @@ public:
             communicator.receive(std::as_writable_bytes(values.subspan(std::size_t(e.receive), std::size_t(e.ghosts))), e.rank, tag, pending);
             auto& buffer = send_[n];
             buffer.resize(e.send.size() * sizeof(Real));
-            auto* out = reinterpret_cast<Real*>(buffer.data());
-            for (std::size_t c = 0; c < e.send.size(); ++c) out[c] = values[std::size_t(e.send[c])];
+            auto* out = buffer.data(); // bytes: not aligned as a Real may have to be
+            for (const auto cell : e.send) {
+                std::memcpy(out, &values[std::size_t(cell)], sizeof(Real));
+                out += sizeof(Real);
+            }
             communicator.send(buffer, e.rank, tag, pending);
         }
     }

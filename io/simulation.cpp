@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #include "io/simulation.hpp"
+#include "core/base/error.hpp"
+#include "io/grid_builder.hpp"
 #include "io/manifest.hpp"
 #include "io/rank_zero.hpp"
 #include "io/scene_writer.hpp"
@@ -20,8 +22,17 @@ void write_text(const std::filesystem::path& path, const std::string& text)
     core::require<core::FileError>(file.good(), fmt::format("{} cannot be written", path.string()));
 }
 
+void require_a_block_for_each_rank(const Grid& grid, int ranks)
+{
+    const std::size_t blocks = make_blocks(grid).blocks.size();
+    core::require<core::ConfigError>(std::size_t(ranks) <= blocks,
+                                     fmt::format("{} ranks, but the grid has only {} block{}: use fewer ranks, or more blocks in the grid of the scene",
+                                                 ranks, blocks, blocks == 1 ? "" : "s"));
+}
+
 RunDirectory prepare(const Scene& scene, const core::Communicator& ranks, const SimulationOptions& options)
 {
+    require_a_block_for_each_rank(scene.grid, ranks.size());
     on_rank_zero<core::ConfigError>(ranks, [&] {
         const RunDirectory run = RunDirectory::create(options.directory, options.existing);
         write_text(run.scene(), scene_text(scene));
@@ -40,13 +51,15 @@ std::unique_ptr<core::Team> team_for(const SimulationOptions& options)
 
 Simulation::Simulation(const Scene& scene, const core::Communicator& ranks, const SimulationOptions& options)
     : options_(options), ranks_(ranks), directory_(prepare(scene, ranks, options)), console_(std::cout, console_kind(ranks.rank())),
-      log_(ranks.rank() == 0 ? directory_.log() : std::filesystem::path(), console_), world_(scene, ranks)
+      log_(ranks.rank() == 0 ? directory_.log() : std::filesystem::path(), console_),
+      requests_(directory_.stop_file(), scene.run.wall_clock), world_(scene, ranks)
 {
     if (options.existing == RunDirectory::Existing::resume) resume();
     else world_.settle(*team_for(options));
     const tasks::Plan& plan = world_.compile();
     executor_ = tasks::make_executor({options.executor, options.threads, options.trace ? &trace_ : nullptr}, plan);
     const bool resumed = options.existing == RunDirectory::Existing::resume;
+    world_.run_iterated_with({executor_->name() == "serial" ? "serial" : options.executor, options.threads, nullptr});
     outputs_ = std::make_unique<SimulationOutputs>(world_, directory_, log_, resumed);
     report_plan();
 }
@@ -70,18 +83,33 @@ void Simulation::report_plan()
         log_.info(fmt::format("coupling {}; filter of degree {}", world_.mode_reason(), world_.coupling()->filter_degree()));
 }
 
+void Simulation::step()
+{
+    try {
+        world_.step(*executor_);
+    } catch (const core::Error&) {
+        log_.warning(fmt::format("the step from t = {:.6g} s failed; saving the state before it", world_.time()));
+        try {
+            outputs_->finish();
+        } catch (const core::Error& another) { // must not hide the first
+            log_.warning(another.what());
+        }
+        throw;
+    }
+    for (const std::string& warning : world_.take_warnings()) log_.warning(warning);
+}
+
 StopReason Simulation::run()
 {
     const double until = options_.until.value_or(world_.scene().run.until);
-    StopRequests requests(directory_.stop_file(), world_.scene().run.wall_clock);
     Progress progress(world_.time(), until, console_, log_);
-    StopReason reason = StopReason::none;
+    StopReason reason = requests_.agree(ranks_); // somebody may have asked during the preparation
     outputs_->write_due();
     while (world_.time() < until * (1 - 1e-12) && reason == StopReason::none) {
-        world_.step(*executor_);
-        outputs_->write_due();
+        step();
+        outputs_->after_step();
         progress.step(outputs_->step_report(), log_.seconds());
-        reason = requests.agree(ranks_);
+        reason = requests_.agree(ranks_);
     }
     progress.finish();
     outputs_->finish();

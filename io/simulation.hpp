@@ -31,12 +31,14 @@ public:
 
     /// Runs to the end, or to the step at which somebody asked to stop; the state is in a checkpoint then.
     /// @return why it stopped, or none at the end.
+    /// @throws core::Error on all ranks alike if a step fails; the state before it is in a checkpoint then.
     StopReason run();
 
     [[nodiscard]] World& world() { return world_; }
 
 private:
     void resume();
+    void step();
     void report_plan();
 
     SimulationOptions options_;
@@ -44,6 +46,7 @@ private:
     RunDirectory directory_;
     Console console_;
     Log log_;
+    StopRequests requests_;
     World world_;
     tasks::Trace trace_;
     std::unique_ptr<tasks::Executor> executor_;

@@ -37,6 +37,7 @@ std::vector<NamedColumns> columns_of(World& world)
                                   {"radius", {&p.radius}},         {"mass", {&p.mass}},             {"inertia", {&p.inertia}}};
     if (const auto* coupling = world.coupling()) {
         const auto owed = std::size_t(coupling->exchange().columns().owed);
+        all.push_back({"drag coefficient", {&p.columns[std::size_t(coupling->exchange().columns().drag)]}});
         all.push_back({"owed impulse", {&p.columns[owed], &p.columns[owed + 1], &p.columns[owed + 2]}});
     }
     return all;

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #include "io/world.hpp"
+#include "core/base/error.hpp"
+#include "io/finite_check.hpp"
 #include "io/grid_builder.hpp"
 #include "io/physics_builder.hpp"
 #include "io/world_grains.hpp"
@@ -61,7 +63,9 @@ void World::make_coupling()
 {
     const physics::CouplingParameters parameters = coupling_parameters(scene_);
     coupling_.emplace(mesh_, ranks_, halos_, *fluid_, *grains_, *stepper_, parameters);
-    mode_reason_ = "pipelined: the grains' impulse is exchanged at the end of their sub-steps";
+    asked_mode_ = asked_mode(scene_);
+    if (asked_mode_ == physics::Mode::iterated) mode_reason_ = "iterated: as the scene asks";
+    else mode_reason_ = "pipelined, but iterated in the first step and wherever drag is too stiff for pipelined";
 }
 
 void World::settle(const core::Team& team)
@@ -77,7 +81,7 @@ void World::settle(const core::Team& team)
 void World::declare()
 {
     if (coupling_) {
-        coupling_->declare(graph_);
+        coupling_->declare(graph_, asked_mode_ == physics::Mode::iterated ? physics::Mode::iterated : physics::Mode::pipelined);
     } else if (fluid_) {
         fluid_->declare(graph_);
     } else if (grains_) {
@@ -96,19 +100,72 @@ const tasks::Plan& World::compile()
 {
     declare();
     plan_.emplace(graph_.compile({"budget"}));
-    if (coupling_)
-        tasks::run(ranks_, core::SerialTeam(), [&](tasks::Lane& lane) { return coupling_->initialise(lane); });
+    if (coupling_ && asked_mode_ != physics::Mode::iterated) {
+        iterated_graph_.emplace(layout_of(mesh_), ranks_);
+        iterated_graph_->fill_halos_with(halos_);
+        coupling_->declare(*iterated_graph_, physics::Mode::iterated);
+        iterated_plan_.emplace(iterated_graph_->compile({"budget"}));
+    }
+    initialise();
     return *plan_;
 }
 
 void World::step(tasks::Executor& executor)
 {
+    constexpr int most_attempts = 3;
+    before_.take(*this);
+    for (int attempt = 1;; ++attempt) {
+        try {
+            try_step(executor);
+            shortening_ = 1.0;
+            return;
+        } catch (const core::Error& error) { // on all ranks alike
+            put_back();
+            if (scene_.run.time_step || attempt == most_attempts) throw;
+            shortening_ *= 0.5;
+            warnings_.push_back(core::text(error.what(), "; tried again with half the time step"));
+        }
+    }
+}
+
+void World::put_back()
+{
+    if (stepper_) stepper_->give_up();
+    before_.put_back(*this);
+    initialise();
+}
+
+void World::initialise()
+{
+    if (coupling_)
+        tasks::run(ranks_, core::SerialTeam(), [&](tasks::Lane& lane) { return coupling_->initialise(lane); });
+}
+
+void World::try_step(tasks::Executor& executor)
+{
     auto& now = clock();
     now.dt = next_step();
     if (coupling_) coupling_->sub_steps = sub_steps_;
-    executor.run_step(now.step);
+    const bool other = coupling_ && choose_mode() != asked_mode_.value_or(physics::Mode::pipelined);
+    if (other && !iterated_executor_) iterated_executor_ = tasks::make_executor(iterated_options_, *iterated_plan_);
+    (other ? *iterated_executor_ : executor).run_step(now.step);
     now.advance();
+    require_finite(*this);
     if (fluid_ && axis_ && physics::turn_if_due(fluid_->parameters().drive, axis_speed(), now.time, now.drive)) now.steps_since_jump = 0;
+}
+
+physics::Mode World::choose_mode()
+{
+    physics::StabilityNumbers n = coupling_->stability(clock().dt);
+    std::array all{n.stiffness, n.loading, n.amplification, n.solid_fraction};
+    ranks_.max(all);
+    n = {all[0], all[1], all[2], all[3]};
+    const physics::ModeChoice choice = physics::mode_of_step(asked_mode_, n, clock().step);
+    const bool unstable = choice.mode == physics::Mode::iterated && asked_mode_ != physics::Mode::iterated && clock().step > 0;
+    if (unstable && !std::exchange(has_been_unstable_, true)) // it may come and go
+        warnings_.push_back(core::text("coupling in step ", clock().step, " and wherever else it is needed: ", choice.reason));
+    mode_reason_ = choice.reason;
+    return choice.mode;
 }
 
 double World::axis_speed() const

@@ -4,6 +4,7 @@
 // A scene come to life on this rank: mesh, fluid, grains, their coupling, and the graph of the stages that make a step.
 // What the scene does not name is not there.
 #include "io/scene.hpp"
+#include "io/state_copy.hpp"
 #include "physics/steps/coupled_step.hpp"
 #include "tasks/exchange_filler.hpp"
 #include "tasks/executor.hpp"
@@ -32,8 +33,10 @@ public:
     [[nodiscard]] physics::FluidClock& clock() { return fluid_ ? fluid_->state().clock : dry_clock_; }
     /// Sub-steps of the grains in the last step; 0 without grains.
     [[nodiscard]] int sub_steps() const { return sub_steps_; }
-    /// Why the coupling has its mode; empty without coupling.
+    /// Why the coupling of the last step had its mode; empty without coupling.
     [[nodiscard]] const std::string& mode_reason() const { return mode_reason_; }
+    /// How steps of the mode `iterated` run if the plan is of another: the first, and those that are too stiff for it.
+    void run_iterated_with(const tasks::ExecutorOptions& options) { iterated_options_ = options; }
 
     /// The rank that owns what lies at a position relative to the domain's origin [m]; the same on all ranks.
     [[nodiscard]] int owner_of(const core::Vec3& position) const;
@@ -44,8 +47,12 @@ public:
     const tasks::Plan& compile();
     /// None before compile().
     [[nodiscard]] const tasks::Plan* plan() const { return plan_ ? &*plan_ : nullptr; }
-    /// One step of at most the time that the limits allow. Collective. @throws tasks::StepFailure
+    /// One step of at most the time that the limits allow; one that fails is tried again with half the time, unless the
+    /// scene fixes it. Collective.
+    /// @throws tasks::StepFailure, core::NumericsError on all ranks alike; the state is then that before the step.
     void step(tasks::Executor& executor);
+    /// Why steps had to be repeated, or coupled by another mode than planned, since the last call.
+    [[nodiscard]] std::vector<std::string> take_warnings() { return std::exchange(warnings_, {}); }
     /// The length of the next step [s]. Collective.
     [[nodiscard]] double next_step();
     /// Speed along the drive on the axis of the domain [m/s]. Collective.
@@ -55,6 +62,10 @@ private:
     void make_grains();
     void make_coupling();
     void declare();
+    [[nodiscard]] physics::Mode choose_mode();
+    void try_step(tasks::Executor& executor);
+    void put_back();
+    void initialise();
     [[nodiscard]] double fluid_limit() const;
 
     Scene scene_;
@@ -71,8 +82,17 @@ private:
     std::optional<tasks::Plan> plan_;
     physics::FluidClock dry_clock_; ///< of a scene without fluid
     std::optional<core::Location> axis_;
+    std::optional<physics::Mode> asked_mode_;
+    bool has_been_unstable_ = false;
     std::string mode_reason_;
+    std::optional<tasks::StageGraph> iterated_graph_;
+    std::optional<tasks::Plan> iterated_plan_;
+    tasks::ExecutorOptions iterated_options_{.kind = "serial"};
+    std::unique_ptr<tasks::Executor> iterated_executor_;
     int sub_steps_ = 0;
+    double shortening_ = 1.0; ///< of the step that is being tried again
+    StateCopy before_;
+    std::vector<std::string> warnings_;
 };
 
 } // namespace io

@@ -52,17 +52,18 @@ double World::fluid_limit() const
     ranks_.max(rates);
     const double displacement = time_to_reach(scene_.run.limits.cfl, rates[0], rates[2]);
     const double distortion = rates[1] > 0 ? largest_distortion / rates[1] : std::numeric_limits<double>::infinity();
-    return std::min({displacement, distortion, (scene_.run.until + scene_.run.settle) / still_steps});
+    const double still = scene_.run.time_step ? *scene_.run.time_step : (scene_.run.until + scene_.run.settle) / still_steps;
+    return std::min({displacement, distortion, still});
 }
 
 double World::next_step()
 {
     const double wanted = scene_.run.time_step.value_or(std::numeric_limits<double>::infinity());
     if (!fluid_) {
-        sub_steps_ = std::isfinite(wanted) ? std::max(1, int(std::lround(wanted / grains_->step()))) : dry_batch;
+        sub_steps_ = std::isfinite(wanted) ? std::max(1, int(std::lround(wanted / grains_->step()))) : int(dry_batch * shortening_);
         return sub_steps_ * grains_->step();
     }
-    const double dt = std::min(wanted, fluid_limit());
+    const double dt = std::min(wanted, shortening_ * fluid_limit());
     if (!grains_) return dt;
     sub_steps_ = std::max(1, int(std::floor(dt / grains_->step() * (1 + 1e-12))));
     return sub_steps_ * grains_->step();

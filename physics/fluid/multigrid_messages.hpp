@@ -5,9 +5,9 @@
 // holds as a whole.
 #include "core/comm/communicator.hpp"
 #include "physics/fluid/multigrid_level.hpp"
+#include <cstring>
 #include <span>
 #include <vector>
-#include <cstring>
 
 namespace physics {
 

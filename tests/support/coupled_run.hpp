@@ -90,6 +90,12 @@ public:
             ++sphere.id;
         }
     }
+    /// Stops all grains: after settling, a last one may roll about for long.
+    void stop_grains()
+    {
+        for (std::size_t a = 0; a < 3; ++a)
+            for (auto* column : {&grains().velocity[a], &grains().spin[a]}) std::fill(column->begin(), column->end(), 0.0);
+    }
     void start(const Vec3& fluid_velocity = Vec3::Zero(), const Vec3& grain_velocity = Vec3::Zero())
     {
         for (core::LocalBlock b = 0; b < world_.mesh().own_count(); ++b)

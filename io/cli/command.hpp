@@ -40,6 +40,7 @@ struct Command {
 [[nodiscard]] Command check_command();
 [[nodiscard]] Command plan_command();
 [[nodiscard]] Command study_command();
+[[nodiscard]] Command stress_command();
 [[nodiscard]] Command digest_command();
 [[nodiscard]] Command view_command();
 [[nodiscard]] Command schema_command();

@@ -11,6 +11,7 @@ std::vector<Command> all_commands()
         check_command(),
         plan_command(),
         study_command(),
+        stress_command(),
         digest_command(),
         view_command(),
         schema_command(),

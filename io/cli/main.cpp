@@ -24,7 +24,8 @@ void add_option(CLI::App& app, const io::Option& option)
         },
         option.place);
     added->required(option.required);
-    if (std::holds_alternative<std::vector<std::string>*>(option.place)) added->take_all()->allow_extra_args(false);
+    const bool positional = !option.flags.starts_with('-');
+    if (std::holds_alternative<std::vector<std::string>*>(option.place) && !positional) added->take_all()->allow_extra_args(false);
 }
 
 /// A word in the place of a command that is none.

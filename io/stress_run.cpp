@@ -1,0 +1,204 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#include "io/stress_run.hpp"
+#include "io/state_file.hpp"
+#include "io/stress_probes.hpp"
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+#include <stdlib.h>
+
+namespace io {
+namespace {
+
+/// A folder for checkpoints, removed at the end.
+class Scratch {
+public:
+    Scratch()
+    {
+        std::string name = (std::filesystem::temp_directory_path() / "isago_stress_XXXXXX").string();
+        core::require<core::FileError>(mkdtemp(name.data()) != nullptr, "no folder for checkpoints can be made at " + name);
+        path_ = name;
+    }
+    ~Scratch()
+    {
+        std::error_code ignored; // what is left of a scratch folder harms nobody
+        std::filesystem::remove_all(path_, ignored);
+    }
+    Scratch(const Scratch&) = delete;
+    Scratch& operator=(const Scratch&) = delete;
+    [[nodiscard]] std::string path() const { return path_.string(); }
+
+private:
+    std::filesystem::path path_;
+};
+
+/// Moves all particles towards their mean place.
+void squeeze(World& world, double factor)
+{
+    core::ParticleSet& p = world.grains()->particles;
+    core::Vec3 mean = core::Vec3::Zero();
+    for (int i = 0; i < p.owned; ++i) mean += p.position_of(i) / p.owned;
+    for (std::size_t a = 0; a < 3; ++a)
+        for (double& x : p.position[a]) x = mean[int(a)] + factor * (x - mean[int(a)]);
+}
+
+/// A world and who runs it.
+class StressRun {
+public:
+    StressRun(const StressCase& stress, const Scene& scene, const std::string& executor, const std::string& checkpoint = "")
+        : ranks_(core::Communicator::self()), world_(scene, ranks_), steps_(stress.steps)
+    {
+        if (stress.squeeze && world_.grains()) squeeze(world_, *stress.squeeze);
+        if (checkpoint.empty()) world_.settle(core::SerialTeam());
+        else load_state(CheckpointReader(checkpoint, ranks_), world_);
+        executor_ = tasks::make_executor({executor, executor == "serial" ? 1 : 2, nullptr}, world_.compile());
+    }
+
+    [[nodiscard]] World& world() { return world_; }
+    [[nodiscard]] bool done() const
+    {
+        return steps_ ? world_.clock().step >= *steps_ : world_.time() >= world_.scene().run.until * (1 - 1e-9);
+    }
+    void step() { world_.step(*executor_); }
+    [[nodiscard]] std::string digest()
+    {
+        const Scratch scratch;
+        return CheckpointReader(save_state(world_, scratch.path(), 1), ranks_).digest();
+    }
+
+private:
+    core::Communicator ranks_;
+    World world_;
+    std::optional<int> steps_;
+    std::unique_ptr<tasks::Executor> executor_;
+};
+
+/// All that is asked of one variant.
+class StressJudge {
+public:
+    StressJudge(const StressCase& stress, std::vector<StressVerdict>& verdicts) : stress_(stress), verdicts_(verdicts) {}
+
+    /// @return the largest pressure of the run [Pa].
+    double judge(const std::string& variant, const std::vector<std::string>& overrides)
+    {
+        variant_ = variant;
+        try {
+            const Scene scene = stress_.scene.read(overrides);
+            const double pressure = judge_run(scene);
+            if (stress_.refused) add("refused", "ran to the end", *stress_.refused, false);
+            if (!stress_.same_bits.empty()) judge_bits(scene);
+            return pressure;
+        } catch (const std::exception& error) {
+            const std::string text = error.what();
+            if (stress_.refused) add("refused", text, *stress_.refused, text.find(*stress_.refused) != std::string::npos);
+            else add("runs", text, "to the end", false);
+            return std::numeric_limits<double>::quiet_NaN();
+        }
+    }
+
+    void add(const std::string& criterion, const std::string& measured, const std::string& bound, bool passed)
+    {
+        verdicts_.push_back({stress_.name, variant_, criterion, measured, bound, passed});
+    }
+    void add(Measure m, double value)
+    {
+        const auto& [word, unit, meaning] = measures[std::size_t(m)];
+        const Bounds& bounds = *stress_.criteria.of(m);
+        const std::string low = std::isfinite(bounds.low) ? fmt::format("{:.4g} to ", bounds.low) : "at most ";
+        add(std::string(word), fmt::format("{:.4g}", value), fmt::format("{}{:.4g} {}", low, bounds.high, unit == "1" ? "" : unit), bounds.hold(value));
+    }
+
+private:
+    double judge_run(const Scene& scene)
+    {
+        StressRun run(stress_, scene, "serial");
+        StressProbes probes(run.world(), stress_.criteria);
+        while (!run.done()) {
+            run.step();
+            probes.after_step();
+        }
+        probes.finish();
+        if (stress_.refused) return 0;
+        int particles = 0;
+        for (const Species& s : scene.particles) particles += s.count;
+        const int kept = run.world().grains() ? run.world().grains()->particles.owned : 0;
+        add("particles", std::to_string(kept), std::to_string(particles), kept == particles);
+        for (std::size_t m = 0; m < measures.size(); ++m)
+            if (stress_.criteria.bounds[m] && Measure(m) != Measure::pressure_growth) add(Measure(m), probes.value(Measure(m)));
+        return probes.value(Measure::pressure);
+    }
+
+    void judge_bits(const Scene& scene)
+    {
+        const Scratch scratch;
+        StressRun first(stress_, scene, "serial");
+        std::string checkpoint;
+        while (!first.done()) {
+            first.step();
+            if (checkpoint.empty()) checkpoint = save_state(first.world(), scratch.path(), 1);
+        }
+        const std::string expected = first.digest();
+        for (const std::string& way : stress_.same_bits) {
+            const bool restart = way == "restart";
+            StressRun again(stress_, scene, restart ? "serial" : way, restart ? checkpoint : "");
+            while (!again.done()) again.step();
+            const std::string digest = again.digest();
+            add("same bits, " + way, digest, expected, digest == expected);
+        }
+    }
+
+    const StressCase& stress_;
+    std::vector<StressVerdict>& verdicts_;
+    std::string variant_;
+};
+
+struct NamedOverrides {
+    std::string name;
+    std::vector<std::string> set;
+};
+
+std::vector<NamedOverrides> variants_of(const StressCase& stress)
+{
+    std::vector<NamedOverrides> all;
+    for (const StressVariant& v : stress.variants) all.push_back({v.name, v.set});
+    if (all.empty()) all.push_back({"", {}});
+    if (stress.halve_dt == 0) return all;
+    std::vector<NamedOverrides> halved;
+    for (const NamedOverrides& v : all) {
+        const Scene scene = stress.scene.read(v.set);
+        core::require<core::ConfigError>(scene.run.time_step.has_value(), stress.name + ": halve_dt needs run.time_step in the scene");
+        double dt = *scene.run.time_step;
+        for (int n = 0; n <= stress.halve_dt; ++n, dt *= 0.5) {
+            halved.push_back({fmt::format("{}{}dt = {:.3g} s", v.name, v.name.empty() ? "" : ", ", dt), v.set});
+            halved.back().set.push_back(fmt::format("run.time_step={} s", number_text(dt)));
+        }
+    }
+    return halved;
+}
+
+} // namespace
+
+std::vector<StressVerdict> run_stress_case(const StressCase& stress)
+{
+    std::vector<StressVerdict> verdicts;
+    StressJudge judge(stress, verdicts);
+    double first = std::numeric_limits<double>::quiet_NaN(), growth = 1.0;
+    for (const NamedOverrides& variant : variants_of(stress)) {
+        const double pressure = judge.judge(variant.name, variant.set);
+        if (std::isnan(first)) first = pressure;
+        growth = std::max(growth, pressure / first);
+    }
+    if (stress.criteria.of(Measure::pressure_growth)) judge.add(Measure::pressure_growth, growth);
+    return verdicts;
+}
+
+std::string table_text(const std::vector<StressVerdict>& verdicts)
+{
+    std::string text;
+    for (const StressVerdict& v : verdicts)
+        text += fmt::format("{:4} {:24} {:22} {:22} {:>18}  {}\n", v.passed ? "pass" : "FAIL", v.stress_case, v.variant, v.criterion, v.measured, v.bound);
+    return text;
+}
+
+} // namespace io

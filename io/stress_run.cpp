@@ -52,7 +52,9 @@ public:
         if (stress.squeeze && world_.grains()) squeeze(world_, *stress.squeeze);
         if (checkpoint.empty()) world_.settle(core::SerialTeam());
         else load_state(CheckpointReader(checkpoint, ranks_), world_);
-        executor_ = tasks::make_executor({executor, executor == "serial" ? 1 : 2, nullptr}, world_.compile());
+        const tasks::ExecutorOptions options{executor, executor == "serial" ? 1 : 2, nullptr};
+        world_.run_iterated_with(options);
+        executor_ = tasks::make_executor(options, world_.compile());
     }
 
     [[nodiscard]] World& world() { return world_; }

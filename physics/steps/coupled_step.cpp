@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // CoupledStep, the grains' side: loads, sub-steps, sums and what grains are owed.
 #include "physics/steps/coupled_step.hpp"
-#include "physics/coupling/drag.hpp"
 #include "physics/fluid/cell_loops.hpp"
 #include "physics/fluid/gradient.hpp"
 #include "physics/steps/batch_filter.hpp"
@@ -13,29 +12,6 @@ namespace physics {
 using core::LocalBlock, core::VectorView, core::View;
 using tasks::halo, tasks::reads, tasks::updates, tasks::writes;
 using Vectors = VectorView<const double>;
-
-namespace {
-
-/// Most cells of the mesh share their volume field with nobody: the filter wants it as a field.
-core::ScalarField volumes(const core::Mesh& mesh)
-{
-    core::ScalarField volume({"volume", "m3", 0, false}, mesh.own_cells());
-    volume.allocate();
-    for (LocalBlock b = 0; b < mesh.own_count(); ++b) map_cells(volume.on(b), [](double v) { return v; }, mesh.geometry(b).volume.view());
-    return volume;
-}
-
-core::FaceField transmissibilities(const core::Mesh& mesh)
-{
-    core::FaceField faces({"transmissibility", "m", 0, false}, mesh.own_cells());
-    faces.allocate();
-    for (LocalBlock b = 0; b < mesh.own_count(); ++b)
-        for (int axis = 0; axis < 3; ++axis)
-            map_cells(faces.on(b).along(axis), [](double t) { return t; }, mesh.geometry(b).face[std::size_t(axis)].transmissibility.view());
-    return faces;
-}
-
-} // namespace
 
 CoupledStep::CoupledStep(const core::Mesh& mesh, const core::Communicator& ranks, tasks::HaloFiller& halos, FluidStep& fluid,
                          ParticleDynamics& grains, ParticleStepper& stepper, const CouplingParameters& parameters)
@@ -212,23 +188,6 @@ tasks::Job CoupledStep::sum_over_grains(tasks::Lane& lane, const ParticleDynamic
     co_await filter_batch(lane, filter_, sums);
 }
 
-StabilityNumbers CoupledStep::stability(double dt) const
-{
-    StabilityNumbers n;
-    for (LocalBlock b = 0; b < mesh_.own_count(); ++b) {
-        const auto solid = fields_.sums.on(b)[sum_solid];
-        core::for_each_cell(geometry(b).cells, [&](int i, int j, int k) { n.solid_fraction = std::max(n.solid_fraction, solid(i, j, k)); });
-    }
-    const double fluid_share = 1.0 - std::min(n.solid_fraction, 1.0 - smallest_closure_fraction);
-    for (int g = 0; g < dynamics_.particles.owned; ++g) {
-        const double ratio = dynamics_.particles.mass[std::size_t(g)] / (parameters_.fluid_density * exchange_.volume(dynamics_.particles, g));
-        n.stiffness = std::max(n.stiffness, dt * exchange_.drag_rate(dynamics_.particles, g));
-        n.loading = std::max(n.loading, ratio * (1.0 - fluid_share) / fluid_share);
-        n.amplification = std::max(n.amplification, added_mass_amplification(fluid_share, ratio, parameters_.added_mass));
-    }
-    return n;
-}
-
 template <std::size_t N>
 void CoupledStep::sample(const core::Team& team, const GrainPlaces& places, std::size_t grains, const core::FieldBatch<N>& batch,
                          GrainTable& table) const
@@ -237,17 +196,6 @@ void CoupledStep::sample(const core::Team& team, const GrainPlaces& places, std:
     team.run(mesh_.own_count(), [&](int b) {
         for (std::size_t a = 0; a < N; ++a) places.sample(b, batch.on(b)[a], table[a]);
     });
-}
-
-tasks::Job CoupledStep::initialise(tasks::Lane& lane)
-{
-    const core::ScalarField volume = volumes(mesh_);
-    const core::FaceField faces = transmissibilities(mesh_);
-    const MeshLinks links = make_mesh_links(mesh_, ranks_.rank(), BehindWalls::nothing);
-    co_await set_up(lane, filter_, {&faces, links.transmissibility, nullptr}, volume);
-    co_await sum_over_grains(lane, dynamics_, 0.0, places_.get(), fields_.sums);
-    for (LocalBlock b = 0; b < mesh_.own_count(); ++b)
-        map_cells(fields_.fraction.on(b), [](double c) { return 1.0 - c; }, fields_.sums.on(b)[sum_solid]);
 }
 
 void CoupledStep::declare_answer(tasks::StageGraph& graph)

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+// CoupledStep before a step: the filter and the fluid fraction of a new state, and how stiff its coupling is.
+#include "physics/coupling/drag.hpp"
+#include "physics/fluid/cell_loops.hpp"
+#include "physics/steps/coupled_step.hpp"
+#include "physics/steps/filter_job.hpp"
+#include <algorithm>
+
+namespace physics {
+
+using core::LocalBlock;
+
+namespace {
+
+/// Most cells of the mesh share their volume field with nobody: the filter wants it as a field.
+core::ScalarField volumes(const core::Mesh& mesh)
+{
+    core::ScalarField volume({"volume", "m3", 0, false}, mesh.own_cells());
+    volume.allocate();
+    for (LocalBlock b = 0; b < mesh.own_count(); ++b) map_cells(volume.on(b), [](double v) { return v; }, mesh.geometry(b).volume.view());
+    return volume;
+}
+
+core::FaceField transmissibilities(const core::Mesh& mesh)
+{
+    core::FaceField faces({"transmissibility", "m", 0, false}, mesh.own_cells());
+    faces.allocate();
+    for (LocalBlock b = 0; b < mesh.own_count(); ++b)
+        for (int axis = 0; axis < 3; ++axis)
+            map_cells(faces.on(b).along(axis), [](double t) { return t; }, mesh.geometry(b).face[std::size_t(axis)].transmissibility.view());
+    return faces;
+}
+
+} // namespace
+
+tasks::Job CoupledStep::initialise(tasks::Lane& lane)
+{
+    const core::ScalarField volume = volumes(mesh_);
+    const core::FaceField faces = transmissibilities(mesh_);
+    const MeshLinks links = make_mesh_links(mesh_, ranks_.rank(), BehindWalls::nothing);
+    co_await set_up(lane, filter_, {&faces, links.transmissibility, nullptr}, volume);
+    co_await sum_over_grains(lane, dynamics_, 0.0, places_.get(), fields_.sums);
+    for (LocalBlock b = 0; b < mesh_.own_count(); ++b)
+        map_cells(fields_.fraction.on(b), [](double c) { return 1.0 - c; }, fields_.sums.on(b)[sum_solid]);
+}
+
+StabilityNumbers CoupledStep::stability(double dt) const
+{
+    StabilityNumbers n;
+    for (LocalBlock b = 0; b < mesh_.own_count(); ++b) {
+        const auto solid = fields_.sums.on(b)[sum_solid];
+        core::for_each_cell(geometry(b).cells, [&](int i, int j, int k) { n.solid_fraction = std::max(n.solid_fraction, solid(i, j, k)); });
+    }
+    const double fluid_share = 1.0 - std::min(n.solid_fraction, 1.0 - smallest_closure_fraction);
+    for (int g = 0; g < dynamics_.particles.owned; ++g) {
+        const double ratio = dynamics_.particles.mass[std::size_t(g)] / (parameters_.fluid_density * exchange_.volume(dynamics_.particles, g));
+        n.stiffness = std::max(n.stiffness, dt * exchange_.drag_rate(dynamics_.particles, g));
+        n.loading = std::max(n.loading, ratio * (1.0 - fluid_share) / fluid_share);
+        n.amplification = std::max(n.amplification, added_mass_amplification(fluid_share, ratio, parameters_.added_mass));
+    }
+    return n;
+}
+
+} // namespace physics

@@ -33,7 +33,7 @@ inline constexpr Range not_negative{0.0};
 [[nodiscard]] constexpr Range between(double low, double high) { return {low, high}; }
 [[nodiscard]] constexpr Range at_least(double low) { return {low}; }
 
-/// A length given in metres, or in diameters of the largest particle ("2 d").
+/// A length given in metres, or in volume-mean particle diameters ("2 d").
 struct Width {
     double value = 0.0;
     bool in_diameters = true;

@@ -33,8 +33,10 @@
 //     In `coarse` and `concurrent`: put(J predicted - J real). With flux-form advection (test column): besides,
 //        L = rho phi^n u^n - dt div(F rho u) - rho phi^{n+1} u^a,  F the volume flux of the fluid at n   (conserved_ledger).
 // `iterated` repeats 2-6 from state n with u, Dudt and G of the last pass in place of those of state n: then r of step 4 has
-// rho phi (u^a - u_used), and miss = u_used - u^a - dt Dudt_used. `coarse` takes J, v, h in 3-5 from a DEM pass of longer
-// sub-steps and phi^n; `concurrent` from free flight held back by h of the last step. The first step of a run: `iterated`.
+// rho phi (u^a - u_used), and miss = u_used - u^a - dt Dudt_used; K and what is owed stay those of state n. `coarse` takes
+// J, v, h in 3-5 from a DEM pass of longer sub-steps and phi^n; `concurrent` from free flight held back by h of the last
+// step. The first step of a run: `iterated`. Steps in space are made of `pipelined` and `iterated`; the other two have only
+// been run in the test column.
 //
 // Why it is stable: the predictor must not be softer than the truth (it over-corrects drag), the projection not stiffer (it
 // over-corrects pressure); hence two holds. Grain by grain, because a cell of held and free grains is neither.

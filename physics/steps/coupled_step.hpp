@@ -24,7 +24,9 @@ public:
     CoupledStep& operator=(const CoupledStep&) = delete;
 
     /// Declares all stages, those of the fluid included. May be called for several graphs, of which each step runs one.
-    void declare(tasks::StageGraph& graph, Mode mode = Mode::pipelined);
+    /// @param mode  `iterated` repeats the passes; any other waits for the grains once, as `pipelined`.
+    /// @pre At the start of a step no rank has lists of neighbours (see grain_job.hpp): a repeated pass could not restore them.
+    void declare(tasks::StageGraph& graph, Mode mode);
     /// Finds the grains among the cells and sets the fluid fraction of the first step. Collective.
     [[nodiscard]] tasks::Job initialise(tasks::Lane& lane);
 

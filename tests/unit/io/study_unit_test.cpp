@@ -8,7 +8,7 @@
 
 namespace {
 
-const std::string pipe = "scene: { name: p, grid: { pipe: { diameter: 1 m, length: 1 m }, periodic: [axial] }, "
+const std::string oscillating = "scene: { name: p, grid: { pipe: { diameter: 1 m, length: 1 m }, periodic: [axial] }, "
                          "fluid: { w: { density: 1 kg/m3, viscosity: 1 m2/s }, drive: { pressure_gradient: 1 Pa/m, frequency: 1 Hz } }, run: { until: 1 s } }\n";
 
 std::string refusal(const std::string& text)
@@ -39,7 +39,7 @@ io::StudyRun run_with(double h, double dt, double error, double wall, std::vecto
 TEST_CASE("a study runs all combinations, the last axis fastest, with the period cut into steps")
 {
     const TemporaryFolder folder;
-    write_file(folder.path() / "study.yaml", "name: s\nerror: womersley\n" + pipe + "vary: { cells: [[8, 4], [12, 4]], steps_per_period: [10, 20, 40] }\n");
+    write_file(folder.path() / "study.yaml", "name: s\nerror: womersley\n" + oscillating + "vary: { cells: [[8, 4], [12, 4]], steps_per_period: [10, 20, 40] }\n");
     const auto plan = io::read_study(folder.path() / "study.yaml");
     REQUIRE(plan.cases.size() == 6);
     CHECK(plan.cases[1].labels == std::vector<std::string>{"8x4", "20"});
@@ -50,13 +50,13 @@ TEST_CASE("a study runs all combinations, the last axis fastest, with the period
 
 TEST_CASE("mistakes of a study are shown with their places")
 {
-    const std::string unknown = refusal("name: s\nerror: womersly\n" + pipe + "vary: { cels: [[8, 4]] }\n");
+    const std::string unknown = refusal("name: s\nerror: womersly\n" + oscillating + "vary: { cels: [[8, 4]] }\n");
     CHECK(unknown.find("study.yaml:2:8") != std::string::npos);
     CHECK(unknown.find("'cels'") != std::string::npos);
-    CHECK(refusal("name: s\nerror: self\n" + pipe + "vary: { cells: [[8, 4, 2]] }\n").find("[across, along]") != std::string::npos);
-    CHECK(refusal("name: s\nerror: self\n" + pipe + "vary: { cells: [[9, 4]] }\n").find("multiple of 4") != std::string::npos);
-    CHECK(refusal("name: s\nerror: self\n" + pipe + "vary: { }\n").find("nothing to vary") != std::string::npos);
-    CHECK(refusal("name: s\nerror: womersley\n" + pipe + "vary: { cells: [[8, 4]] }\n").find("steps_per_period") != std::string::npos);
+    CHECK(refusal("name: s\nerror: self\n" + oscillating + "vary: { cells: [[8, 4, 2]] }\n").find("[across, along]") != std::string::npos);
+    CHECK(refusal("name: s\nerror: self\n" + oscillating + "vary: { cells: [[9, 4]] }\n").find("multiple of 4") != std::string::npos);
+    CHECK(refusal("name: s\nerror: self\n" + oscillating + "vary: { }\n").find("nothing to vary") != std::string::npos);
+    CHECK(refusal("name: s\nerror: womersley\n" + oscillating + "vary: { cells: [[8, 4]] }\n").find("steps_per_period") != std::string::npos);
 }
 
 TEST_CASE("the order comes out of the differences at three unequal steps")

@@ -65,11 +65,11 @@ struct CoupledBox {
     return scene;
 }
 
-/// A world of one rank, ready to step.
+/// A world, ready to step; sums and extremes are those of this rank.
 class CoupledRun {
 public:
-    explicit CoupledRun(const io::Scene& scene, const std::string& executor = "serial")
-        : executor_kind_(executor), world_(scene, core::Communicator::world())
+    explicit CoupledRun(const io::Scene& scene, const std::string& executor = "serial", const core::Communicator& ranks = core::Communicator::world())
+        : executor_kind_(executor), world_(scene, ranks)
     {
         world_.settle(core::SerialTeam());
     }

@@ -127,7 +127,7 @@ void ParticleDynamics::build(const core::Team& team)
     cells_.build(particles, lattice_);
     pairs_.build(particles, cells_, skin_, history, team);
     walls_.build(particles, skin_, history);
-    if (!surface_.empty()) surface_.build(particles, skin_, history);
+    if (!surface_.empty()) surface_.build(particles, 0.5 * skin_, history); // walls do not come closer themselves
     forces_.resize(index_of(pairs_.size()));
     records_.resize(particles.size());
     records_.update(particles, 0, particles.size());
@@ -143,7 +143,7 @@ void ParticleDynamics::refresh_near(const core::Team& team)
 {
     if (near_built_) near_.return_springs(pairs_, team);
     near_.refresh(particles, pairs_, shifts_, near_skin_, team);
-    if (!surface_.empty()) surface_.refresh(particles, near_skin_, team);
+    if (!surface_.empty()) surface_.refresh(particles, 0.5 * near_skin_, team);
     near_built_ = true;
     near_travelled_ = 0.0;
 }

@@ -13,125 +13,226 @@ using core::Vec3;
 constexpr double same_contact = 0.9848;     // cosine of 10 degrees: two hits are one contact
 constexpr double same_friction = 0.7071;    // cosine of 45 degrees: a contact goes on
 constexpr std::int64_t first_feature = 1 << 20; // analytic walls have lower numbers
+constexpr int block_size = 32;
 
 constexpr auto index_of(int i) { return std::size_t(i); }
+
+/// The patches of some pairs side by side.
+struct alignas(64) PatchBlock {
+    double value[WallPatch::size][block_size];
+
+    [[nodiscard]] double operator()(int n, int k) const { return value[n][k]; }
+
+    /// Reads `count` patches; the places up to the next multiple of four repeat the last one.
+    void read(const WallPatch* patches, const int* triangle, int count)
+    {
+        for (int k = 0; k < count; k += 4) {
+            const double* from[4];
+            for (int lane = 0; lane < 4; ++lane) from[lane] = patches[triangle[std::min(k + lane, count - 1)]].value.data();
+            for (int n = 0; n < WallPatch::size; n += 4) {
+                core::Four rows[4];
+                for (int lane = 0; lane < 4; ++lane) rows[lane] = core::load_four(from[lane] + n);
+                core::transpose(rows[0], rows[1], rows[2], rows[3]);
+                for (int lane = 0; lane < 4; ++lane) core::store_four(value[n + lane] + k, rows[lane]);
+            }
+        }
+    }
+};
+
+/// Feet of some pairs side by side.
+struct alignas(64) FootLanes {
+    using Lane = double[block_size];
+    Lane x, y, z, wx, wy, wz; ///< Centre; its way in the last half step [m].
+    Lane one, two, nx, ny, nz, depth, bx, by, bz;
+};
+
+void evaluate_feet(const PatchBlock& block, int count, FootLanes& lanes)
+{
+#pragma omp simd
+    for (int k = 0; k < count; ++k) {
+        const PatchPoint centre = patch_point(block, k, lanes.x[k], lanes.y[k], lanes.z[k]);
+        const PatchPoint way = patch_way(block, k, lanes.wx[k], lanes.wy[k], lanes.wz[k]);
+        const PatchPoint earlier{centre.one - way.one, centre.two - way.two, centre.height - way.height};
+        const PatchFoot now = find_foot(block, k, centre);
+        const PatchFoot before = patch_foot(block, k, earlier, improve_foot(block, k, earlier, {now.one, now.two}));
+        lanes.one[k] = now.one;
+        lanes.two[k] = now.two;
+        lanes.nx[k] = now.nx;
+        lanes.ny[k] = now.ny;
+        lanes.nz[k] = now.nz;
+        lanes.depth[k] = now.depth;
+        lanes.bx[k] = before.nx;
+        lanes.by[k] = before.ny;
+        lanes.bz[k] = before.nz;
+    }
+}
+
+core::Spring spring_of(const Vec3& v) { return {v[0], v[1], v[2]}; }
+Vec3 vector_of(const core::Spring& s) { return {s[0], s[1], s[2]}; }
+
+/// The spring of the contact among [first, last) of the most similar normal, which is spent; zero if there is none.
+template <class Iterator>
+Vec3 take_spring(Iterator first, Iterator last, const Vec3& normal)
+{
+    Iterator best = last;
+    double likeness = same_friction;
+    for (Iterator c = first; c != last; ++c) {
+        const double like = c->normal.dot(normal);
+        if (like <= likeness) continue;
+        likeness = like;
+        best = c;
+    }
+    if (best == last) return Vec3::Zero();
+    best->normal.setZero();
+    return best->spring;
+}
 
 } // namespace
 
 void SurfaceContacts::build(const core::ParticleSet& particles, double skin, const core::ContactHistory& history)
 {
-    neighbours_.clear();
-    chunk_begin_.clear();
-    triangles_.clear();
+    chunks_.resize(index_of((particles.owned + core::particles_per_chunk - 1) / core::particles_per_chunk));
     std::vector<int> found;
     for (int i = 0; i < particles.owned; ++i) {
-        if (i % core::particles_per_chunk == 0) chunk_begin_.push_back(int(neighbours_.size()));
-        surface_.candidates(particles.position_of(i), particles.radius[index_of(i)] + skin, found);
-        if (found.empty()) continue;
-        Neighbour n;
-        n.particle = i;
-        n.begin = int(triangles_.size());
-        triangles_.insert(triangles_.end(), found.begin(), found.end());
-        n.end = int(triangles_.size());
-        for (std::int64_t k = 0;; ++k) {
-            const auto s = history.find(i, core::wall_key(first_feature + k));
-            if (s == core::Spring{0.0, 0.0, 0.0}) break;
-            n.contacts.push_back({Vec3::Zero(), Vec3(s[0], s[1], s[2])});
+        auto& chunk = chunks_[index_of(i / core::particles_per_chunk)];
+        if (i % core::particles_per_chunk == 0) {
+            chunk.listed = Pairs{};
+            chunk.contacts.clear();
         }
-        neighbours_.push_back(std::move(n));
+        surface_.candidates(particles.position_of(i), particles.radius[index_of(i)], skin, found);
+        for (const int t : found) chunk.listed.add(i, t);
+        for (std::int64_t k = first_feature;; k += 2) {
+            const Vec3 spring = vector_of(history.find(i, core::wall_key(k)));
+            if (spring.isZero(0.0)) break;
+            chunk.contacts.push_back({i, vector_of(history.find(i, core::wall_key(k + 1))), spring});
+        }
     }
-    chunk_begin_.push_back(int(neighbours_.size()));
-    near_.resize(triangles_.size());
 }
 
 void SurfaceContacts::refresh(const core::ParticleSet& particles, double skin, const core::Team& team)
 {
-    core::for_chunks(team, int(neighbours_.size()), core::particles_per_chunk, [&](int begin, int end) {
-        for (int k = begin; k < end; ++k) {
-            auto& n = neighbours_[index_of(k)];
-            const Vec3 centre = particles.position_of(n.particle);
-            n.near_end = n.begin;
-            for (int t = n.begin; t < n.end; ++t)
-                if (surface_.near(triangles_[index_of(t)], centre, particles.radius[index_of(n.particle)] + skin))
-                    near_[index_of(n.near_end++)] = triangles_[index_of(t)];
+    team.run(int(chunks_.size()), [&](int c) {
+        auto& chunk = chunks_[index_of(c)];
+        const Pairs& listed = chunk.listed;
+        chunk.near.particle.clear();
+        chunk.near.triangle.clear();
+        for (std::size_t m = 0; m < listed.particle.size(); ++m) {
+            const int i = listed.particle[m], t = listed.triangle[m];
+            if (surface_.near(t, particles.position_of(i), particles.radius[index_of(i)], skin)) chunk.near.add(i, t);
         }
+        chunk.feet.resize(chunk.near.particle.size());
     });
 }
 
 void SurfaceContacts::append_row(int i, core::ContactHistory& history) const
 {
-    const auto found = std::lower_bound(neighbours_.begin(), neighbours_.end(), i,
-                                        [](const Neighbour& n, int particle) { return n.particle < particle; });
-    if (found == neighbours_.end() || found->particle != i) return;
+    const std::size_t c = index_of(i / core::particles_per_chunk);
+    if (c >= chunks_.size()) return;
+    const auto& contacts = chunks_[c].contacts;
+    auto contact = std::lower_bound(contacts.begin(), contacts.end(), i,
+                                    [](const Contact& a, int particle) { return a.particle < particle; });
     std::int64_t k = first_feature;
-    for (const auto& contact : found->contacts)
-        if (!contact.spring.isZero(0.0))
-            history.add(core::wall_key(k++), {contact.spring[0], contact.spring[1], contact.spring[2]});
-}
-
-void SurfaceContacts::find_hits(const Vec3& centre, double radius, const Neighbour& neighbour, std::vector<SurfaceHit>& hits) const
-{
-    hits.clear();
-    SurfaceHit hit;
-    for (int k = neighbour.begin; k < neighbour.near_end; ++k)
-        if (surface_.meet(near_[index_of(k)], centre, hit) && hit.depth < radius && hit.depth > -radius) hits.push_back(hit);
-    // a centre behind one face but before another is outside an edge, not inside the wall
-    if (std::any_of(hits.begin(), hits.end(), [](const SurfaceHit& h) { return h.depth > 0.0; }))
-        std::erase_if(hits, [](const SurfaceHit& h) { return h.depth <= 0.0; });
-    std::stable_sort(hits.begin(), hits.end(), [](const SurfaceHit& a, const SurfaceHit& b) { return a.depth < b.depth; });
-    std::size_t kept = 0;
-    for (std::size_t h = 0; h < hits.size(); ++h) {
-        const auto same = [&](const SurfaceHit& other) { return other.normal.dot(hits[h].normal) > same_contact; };
-        if (std::none_of(hits.begin(), hits.begin() + std::ptrdiff_t(kept), same)) hits[kept++] = hits[h];
+    for (; contact != contacts.end() && contact->particle == i; ++contact) {
+        if (contact->spring.isZero(0.0)) continue;
+        history.add(core::wall_key(k++), spring_of(contact->spring));
+        history.add(core::wall_key(k++), spring_of(contact->normal));
     }
-    hits.resize(kept);
 }
 
-Vec3 SurfaceContacts::take_spring(std::vector<Contact>& old, const Vec3& normal)
-{
-    std::size_t best = old.size();
-    double likeness = same_friction;
-    for (std::size_t k = 0; k < old.size(); ++k) {
-        const bool known = !old[k].normal.isZero(0.0);
-        const double like = known ? old[k].normal.dot(normal) : 1.0 - std::abs(old[k].spring.dot(normal)) / old[k].spring.norm();
-        if (like > likeness) {
-            likeness = like;
-            best = k;
-        }
-    }
-    if (best == old.size()) return Vec3::Zero();
-    const Vec3 spring = old[best].spring;
-    old.erase(old.begin() + std::ptrdiff_t(best));
-    return spring;
-}
-
-void SurfaceContacts::add_forces(const core::ParticleSet& p, const ContactLaws& laws, int chunk, ForceSums& sums)
+void SurfaceContacts::find_feet(const core::ParticleSet& p, double half_step, Chunk& chunk) const
 {
     const ParticleColumns columns(p);
-    const SumColumns add(sums);
-    std::vector<SurfaceHit> hits;
-    std::vector<Contact> old;
-    for (int k = chunk_begin_[index_of(chunk)]; k < chunk_begin_[index_of(chunk) + 1]; ++k) {
-        auto& n = neighbours_[index_of(k)];
-        if (n.near_end == n.begin) continue;
-        const auto i = index_of(n.particle);
-        const Vec3 centre = p.position_of(n.particle);
-        find_hits(centre, p.radius[i], n, hits);
-        old.swap(n.contacts);
-        n.contacts.clear();
-        const LinearContact& law = laws.size() == 1 ? laws.front() : laws[index_of(p.species[i])];
-        for (const auto& hit : hits) {
-            const Vec3 way = 0.5 * law.step * p.velocity_of(n.particle);
-            const WallMeeting at = meeting(-hit.normal, -surface_.normal_before(hit, centre, way), hit.depth);
-            const Vec3 spring = take_spring(old, -hit.normal);
-            ContactInput in = wall_input(columns, i, at);
-            in.sx = spring[0];
-            in.sy = spring[1];
-            in.sz = spring[2];
-            const ContactOutput out = law(in);
-            n.contacts.push_back({-hit.normal, Vec3(out.sx, out.sy, out.sz)});
-            add_wall_force(out, at, i - index_of(sums.begin), add);
+    const int pairs = chunk.near.size();
+    PatchBlock block;
+    FootLanes lanes;
+    for (int begin = 0; begin < pairs; begin += block_size) {
+        const int count = std::min(block_size, pairs - begin);
+        const int* particle = chunk.near.particle.data() + begin;
+        Foot* feet = chunk.feet.data() + begin;
+        block.read(surface_.patches().data(), chunk.near.triangle.data() + begin, count);
+        for (int k = 0; k < count; ++k) {
+            const auto i = index_of(particle[k]);
+            lanes.x[k] = columns.x[i];
+            lanes.y[k] = columns.y[i];
+            lanes.z[k] = columns.z[i];
+            lanes.wx[k] = half_step * columns.vx[i];
+            lanes.wy[k] = half_step * columns.vy[i];
+            lanes.wz[k] = half_step * columns.vz[i];
         }
+        evaluate_feet(block, count, lanes);
+        for (int k = 0; k < count; ++k)
+            feet[k] = {{lanes.one[k], lanes.two[k], lanes.nx[k], lanes.ny[k], lanes.nz[k], lanes.depth[k]}, lanes.bx[k], lanes.by[k], lanes.bz[k]};
+    }
+}
+
+/// Touches of the particle of near pairs [begin, end), the deepest first.
+void SurfaceContacts::touch_one(const Vec3& centre, double radius, int begin, int end, Chunk& chunk) const
+{
+    auto& touches = chunk.touches;
+    const auto first = std::ptrdiff_t(touches.size());
+    SurfaceHit hit;
+    for (int m = begin; m < end; ++m) {
+        const Foot& foot = chunk.feet[index_of(m)];
+        if (!surface_.meet(chunk.near.triangle[index_of(m)], foot.now, centre, hit) || std::abs(hit.depth) >= radius) continue;
+        const Vec3 now(foot.now.nx, foot.now.ny, foot.now.nz), before(foot.before_x, foot.before_y, foot.before_z);
+        Touch touch{chunk.near.particle[index_of(m)], hit, (hit.normal + before - now).normalized(), Vec3::Zero()};
+        // a place of its own behind all that are not less deep
+        auto place = touches.end();
+        while (place != touches.begin() + first && hit.depth < (place - 1)->hit.depth) --place;
+        touches.insert(place, touch);
+    }
+    if (std::ptrdiff_t(touches.size()) - first < 2) return;
+    // a centre behind one face but before another is outside an edge, not inside the wall
+    if (touches.back().hit.depth > 0.0)
+        touches.erase(touches.begin() + first,
+                      std::find_if(touches.begin() + first, touches.end(), [](const Touch& t) { return t.hit.depth > 0.0; }));
+    auto kept = touches.begin() + first;
+    for (auto t = kept; t != touches.end(); ++t) {
+        const auto same = [&](const Touch& other) { return other.hit.normal.dot(t->hit.normal) > same_contact; };
+        if (std::none_of(touches.begin() + first, kept, same)) *kept++ = *t;
+    }
+    touches.erase(kept, touches.end());
+}
+
+void SurfaceContacts::find_touches(const core::ParticleSet& p, Chunk& chunk) const
+{
+    chunk.touches.clear();
+    auto old = chunk.contacts.begin();
+    const int pairs = chunk.near.size();
+    for (int begin = 0, end = 0; begin < pairs; begin = end) {
+        const int i = chunk.near.particle[index_of(begin)];
+        while (end < pairs && chunk.near.particle[index_of(end)] == i) ++end;
+        const auto first = chunk.touches.size();
+        touch_one(p.position_of(i), p.radius[index_of(i)], begin, end, chunk);
+        while (old != chunk.contacts.end() && old->particle < i) ++old;
+        auto old_end = old;
+        while (old_end != chunk.contacts.end() && old_end->particle == i) ++old_end;
+        for (auto t = first; t < chunk.touches.size(); ++t)
+            chunk.touches[t].spring = take_spring(old, old_end, -chunk.touches[t].hit.normal);
+        old = old_end;
+    }
+    chunk.contacts.resize(chunk.touches.size());
+}
+
+void SurfaceContacts::add_forces(const core::ParticleSet& p, const ContactLaws& laws, int chunk_number, ForceSums& sums)
+{
+    Chunk& chunk = chunks_[index_of(chunk_number)];
+    find_feet(p, 0.5 * laws.front().step, chunk);
+    find_touches(p, chunk);
+    const ParticleColumns columns(p);
+    const SumColumns add(sums);
+    for (std::size_t c = 0; c < chunk.touches.size(); ++c) {
+        const Touch& touch = chunk.touches[c];
+        const auto i = index_of(touch.particle);
+        const LinearContact& law = laws.size() == 1 ? laws.front() : laws[index_of(p.species[i])];
+        const WallMeeting at = meeting(-touch.hit.normal, -touch.normal_before, touch.hit.depth);
+        ContactInput in = wall_input(columns, i, at);
+        in.sx = touch.spring[0];
+        in.sy = touch.spring[1];
+        in.sz = touch.spring[2];
+        const ContactOutput out = law(in);
+        chunk.contacts[c] = {touch.particle, -touch.hit.normal, Vec3(out.sx, out.sy, out.sz)};
+        add_wall_force(out, at, i - index_of(sums.begin), add);
     }
 }
 

@@ -13,9 +13,9 @@ public:
     explicit SurfaceContacts(WallSurface surface) : surface_(std::move(surface)) {}
     [[nodiscard]] bool empty() const { return surface_.empty(); }
 
-    /// Lists the owned particles with a gap below `skin` [m] and the triangles near each.
+    /// Lists the owned particles and triangles that may touch when they have gone up to `skin` [m].
     void build(const core::ParticleSet& particles, double skin, const core::ContactHistory& history);
-    /// Chooses among them the triangles with a gap below `skin` [m].
+    /// Chooses among them those that may touch when they have gone up to `skin` [m].
     void refresh(const core::ParticleSet& particles, double skin, const core::Team& team);
     /// Appends the springs of owned particle i to the last row of `history`.
     void append_row(int i, core::ContactHistory& history) const;
@@ -24,23 +24,45 @@ public:
     void add_forces(const core::ParticleSet& particles, const ContactLaws& laws, int chunk, ForceSums& sums);
 
 private:
+    /// What a contact keeps for the next step.
     struct Contact {
-        core::Vec3 normal = core::Vec3::Zero(); ///< From the particle to the wall; zero just after a rebuild.
-        core::Vec3 spring = core::Vec3::Zero();
+        int particle;
+        core::Vec3 normal; ///< From the particle to the wall.
+        core::Vec3 spring;
     };
-    /// One particle near the surface.
-    struct Neighbour {
-        int particle = 0;
-        int begin = 0, end = 0, near_end = 0; ///< Its triangles in triangles_ and near_.
+    /// A contact of this step. @param normal_before  Half a step ago, both from the surface to the particle.
+    struct Touch {
+        int particle;
+        SurfaceHit hit;
+        core::Vec3 normal_before, spring;
+    };
+    /// Pairs of a particle and a triangle, in order of particles, then of triangles.
+    struct Pairs {
+        std::vector<int> particle, triangle;
+        void add(int i, int t)
+        {
+            particle.push_back(i);
+            triangle.push_back(t);
+        }
+        [[nodiscard]] int size() const { return int(particle.size()); }
+    };
+    struct Foot {
+        PatchFoot now;
+        double before_x, before_y, before_z; ///< The patch's normal half a step ago.
+    };
+    /// The particles of one chunk that are near the surface.
+    struct Chunk {
+        Pairs listed, near;
+        std::vector<Foot> feet; ///< One for each near pair.
+        std::vector<Touch> touches;
         std::vector<Contact> contacts;
     };
-    void find_hits(const core::Vec3& centre, double radius, const Neighbour& neighbour, std::vector<SurfaceHit>& hits) const;
-    [[nodiscard]] static core::Vec3 take_spring(std::vector<Contact>& old, const core::Vec3& normal);
+    void find_feet(const core::ParticleSet& particles, double half_step, Chunk& chunk) const;
+    void find_touches(const core::ParticleSet& particles, Chunk& chunk) const;
+    void touch_one(const core::Vec3& centre, double radius, int begin, int end, Chunk& chunk) const;
 
     WallSurface surface_;
-    std::vector<Neighbour> neighbours_; // in order of the particles
-    std::vector<int> chunk_begin_;
-    std::vector<int> triangles_, near_;
+    std::vector<Chunk> chunks_;
 };
 
 } // namespace physics

@@ -12,10 +12,6 @@ namespace {
 
 using core::Vec3;
 
-// A foot this far outside a triangle, in barycentric coordinates, still counts: neighbours overlap a little, and of two hits with
-// one normal only the deeper is kept.
-constexpr double overlap_share = 1e-3;
-
 /// Middle bend of the curve between two points with normals m and n: it leaves both at right angles to the normal.
 Vec3 bend_of(const Vec3& a, const Vec3& m, const Vec3& b, const Vec3& n)
 {
@@ -50,65 +46,71 @@ void WallSurface::add_triangles(const WallFaces& faces, int face)
         if ((corner[b] - corner[a]).norm() == 0.0) continue; // a face with three corners
         Triangle t;
         t.corner = {centre, corner[a], corner[b]};
-        t.normal = {mean, normal[a], normal[b]};
-        for (std::size_t e = 0; e < 3; ++e) {
-            const auto i = (e + 1) % 3, j = (e + 2) % 3;
-            t.bend[e] = bend_of(t.corner[i], t.normal[i], t.corner[j], t.normal[j]);
-            t.flat = t.flat && t.bend[e].norm() < 1e-12 * (t.corner[j] - t.corner[i]).norm();
-        }
-        const Vec3 one = t.corner[1] - t.corner[0], two = t.corner[2] - t.corner[0], up = one.cross(two);
-        t.dual_one = two.cross(up) / up.squaredNorm();
-        t.dual_two = up.cross(one) / up.squaredNorm();
-        t.sharp[0] = faces.sharp(face, k);
-        t.across[0] = faces.across(face, k);
-        t.across[1] = t.across[2] = Vec3::Zero();
+        t.sharp = faces.sharp(face, k);
+        t.across = faces.across(face, k);
         t.vertex = {-1, faces.sharp_vertex(face, k), faces.sharp_vertex(face, (k + 1) % 4)};
+        add_patch(t, {mean, normal[a], normal[b]});
         triangles_.push_back(t);
     }
 }
 
-WallSurface::Foot WallSurface::foot(const Triangle& t, const Vec3& centre)
+void WallSurface::add_patch(Triangle& t, const std::array<Vec3, 3>& normal)
 {
-    Foot f;
-    const Vec3 from = centre - t.corner[0];
-    double one = t.dual_one.dot(from), two = t.dual_two.dot(from);
-    const int rounds = t.flat ? 1 : 6; // each round divides the error by radius of curvature over depth
-    for (int round = 0; round < rounds; ++round) {
-        const double zero = 1.0 - one - two;
-        f.weight = {zero, one, two};
-        f.point = zero * t.corner[0] + one * t.corner[1] + two * t.corner[2] + (one * two) * t.bend[0] + (zero * two) * t.bend[1] +
-                  (zero * one) * t.bend[2];
-        f.normal = (zero * t.normal[0] + one * t.normal[1] + two * t.normal[2]).normalized();
-        f.depth = (centre - f.point).dot(f.normal);
-        const Vec3 aside = centre - f.point - f.depth * f.normal;
-        one += t.dual_one.dot(aside);
-        two += t.dual_two.dot(aside);
+    const Vec3 one = t.corner[1] - t.corner[0], two = t.corner[2] - t.corner[0], up = one.cross(two);
+    const std::array<Vec3, 3> dual{two.cross(up) / up.squaredNorm(), up.cross(one) / up.squaredNorm(), up.normalized()};
+    std::array<Vec3, 3> bend, local_normal;
+    t.bulge = 0.0;
+    for (std::size_t c = 0; c < 3; ++c) {
+        const auto i = (c + 1) % 3, j = (c + 2) % 3;
+        const Vec3 b = bend_of(t.corner[i], normal[i], t.corner[j], normal[j]);
+        bend[c] = Vec3(dual[0].dot(b), dual[1].dot(b), dual[2].dot(b));
+        local_normal[c] = Vec3(dual[0].dot(normal[c]), dual[1].dot(normal[c]), dual[2].dot(normal[c]));
+        t.bulge += 0.25 * b.norm();
     }
-    return f;
+    WallPatch patch;
+    auto next = patch.value.begin();
+    const auto put = [&](const Vec3& v) { next = std::copy(v.data(), v.data() + 3, next); };
+    put(t.corner[0]);
+    for (const Vec3& v : dual) put(v);
+    put(one);
+    put(two);
+    for (const Vec3& v : bend) put(v);
+    for (const Vec3& v : local_normal) put(v);
+    patches_.push_back(patch);
+
+    const double least = std::min({local_normal[0][2], local_normal[1][2], local_normal[2][2]}); // of the normal's length, inside
+    const Vec3 to_zero(-1, -1, 0);
+    const std::array<Vec3, 3> coordinate{Vec3::UnitX(), Vec3::UnitY(), to_zero};
+    for (std::size_t c = 0; c < 3; ++c) {
+        double room = 0.0, lean = 0.0;
+        for (std::size_t n = 0; n < 3; ++n) {
+            room += 0.25 * std::abs(coordinate[c].dot(bend[n]));
+            lean = std::max(lean, std::abs(coordinate[c].dot(local_normal[n])) / least);
+        }
+        t.room[c] = 2e-3 + 1.01 * room; // twice the overlap of neighbours
+        t.lean[c] = 1.01 * lean;
+    }
+    t.slope = {dual[0].norm(), dual[1].norm(), (dual[0] + dual[1]).norm()};
+    t.plain = !t.sharp && t.vertex[1] < 0 && t.vertex[2] < 0 && least > 0.5;
 }
 
-bool WallSurface::meet(int triangle, const Vec3& centre, SurfaceHit& hit) const
+bool WallSurface::meet_rim(int triangle, const PatchFoot& foot, const Vec3& centre, SurfaceHit& hit) const
 {
     const Triangle& t = triangles_[std::size_t(triangle)];
-    const Foot f = foot(t, centre);
-    hit = {f.normal, f.depth, triangle};
-    const auto lowest = std::min_element(f.weight.begin(), f.weight.end());
-    if (*lowest >= -overlap_share) return true;
-    if (t.sharp[0] && f.weight[0] < 0.0) return meet_edge(t, 0, centre, hit);
+    if (t.sharp && 1.0 - foot.one - foot.two < 0.0) return meet_edge(t, centre, hit);
     return (t.vertex[1] >= 0 && meet_corner(t, 1, centre, hit)) || (t.vertex[2] >= 0 && meet_corner(t, 2, centre, hit));
 }
 
 /// An edge is touched only where the centre lies beyond both faces that share it; elsewhere it is the shadow of a face.
-bool WallSurface::meet_edge(const Triangle& t, int edge, const Vec3& centre, SurfaceHit& hit) const
+bool WallSurface::meet_edge(const Triangle& t, const Vec3& centre, SurfaceHit& hit) const
 {
-    const auto i = std::size_t((edge + 1) % 3), j = std::size_t((edge + 2) % 3);
-    const Vec3 along = t.corner[j] - t.corner[i];
-    const double share = (centre - t.corner[i]).dot(along) / along.squaredNorm();
-    if (share < 0.0) return t.vertex[i] >= 0 && meet_corner(t, int(i), centre, hit);
-    if (share > 1.0) return t.vertex[j] >= 0 && meet_corner(t, int(j), centre, hit);
-    const Vec3 from = centre - (t.corner[i] + share * along);
+    const Vec3 along = t.corner[2] - t.corner[1];
+    const double share = (centre - t.corner[1]).dot(along) / along.squaredNorm();
+    if (share < 0.0) return t.vertex[1] >= 0 && meet_corner(t, 1, centre, hit);
+    if (share > 1.0) return t.vertex[2] >= 0 && meet_corner(t, 2, centre, hit);
+    const Vec3 from = centre - (t.corner[1] + share * along);
     hit.depth = from.norm();
-    if (hit.depth == 0.0 || from.dot(t.across[std::size_t(edge)]) > 1e-9 * hit.depth) return false;
+    if (hit.depth == 0.0 || from.dot(t.across) > 1e-9 * hit.depth) return false;
     hit.normal = from / hit.depth;
     return true;
 }
@@ -123,14 +125,6 @@ bool WallSurface::meet_corner(const Triangle& t, int corner, const Vec3& centre,
         if (from.dot(spoke) > 1e-9 * hit.depth) return false;
     hit.normal = from / hit.depth;
     return true;
-}
-
-Vec3 WallSurface::normal_before(const SurfaceHit& hit, const Vec3& centre, const Vec3& way) const
-{
-    const Triangle& t = triangles_[std::size_t(hit.triangle)];
-    if (t.flat) return hit.normal;
-    const Vec3 then = foot(t, centre - way).normal, now = foot(t, centre).normal;
-    return (hit.normal + then - now).normalized();
 }
 
 std::array<int, 3> WallSurface::bin(const Vec3& x) const
@@ -172,11 +166,11 @@ void WallSurface::fill_bins()
     }
 }
 
-void WallSurface::candidates(const Vec3& centre, double reach, std::vector<int>& found) const
+void WallSurface::candidates(const Vec3& centre, double radius, double skin, std::vector<int>& found) const
 {
     found.clear();
     if (empty()) return;
-    const Vec3 around = Vec3::Constant(reach);
+    const Vec3 around = Vec3::Constant(radius + skin);
     if (((centre + around).array() < low_.array()).any() || ((centre - around).array() > high_.array()).any()) return;
     const auto from = bin(centre - around), to = bin(centre + around);
     for (int i = from[0]; i <= to[0]; ++i)
@@ -187,17 +181,23 @@ void WallSurface::candidates(const Vec3& centre, double reach, std::vector<int>&
             }
     std::sort(found.begin(), found.end());
     found.erase(std::unique(found.begin(), found.end()), found.end());
-    std::erase_if(found, [&](int n) { return !near(n, centre, reach); });
+    std::erase_if(found, [&](int n) { return !near(n, centre, radius, skin); });
 }
 
-bool WallSurface::near(int triangle, const Vec3& centre, double reach) const
+bool WallSurface::near(int triangle, const Vec3& centre, double radius, double skin) const
 {
     const auto& t = triangles_[std::size_t(triangle)];
-    const Vec3 from = centre - t.corner[0];
-    const double bulge = 0.25 * (t.bend[0].norm() + t.bend[1].norm() + t.bend[2].norm()); // of the patch above its flat triangle
-    const double one = t.dual_one.dot(from), two = t.dual_two.dot(from), wanted = reach + bulge;
-    if (one >= 0.0 && two >= 0.0 && one + two <= 1.0)
-        return std::abs(from.dot(t.dual_one.cross(t.dual_two).normalized())) < wanted;
+    const double wanted = radius + skin + t.bulge;
+    const PatchPoint at = patch_point(patches_[std::size_t(triangle)], 0, centre[0], centre[1], centre[2]);
+    if (std::abs(at.height) >= wanted) return false;
+    const std::array<double, 3> weight{at.one, at.two, 1.0 - at.one - at.two};
+    if (t.plain) {
+        bool inside = true;
+        for (std::size_t c = 0; c < 3; ++c)
+            inside = inside && weight[c] > -(t.room[c] + t.lean[c] * (radius + skin) + t.slope[c] * skin);
+        return inside;
+    }
+    if (std::min({weight[0], weight[1], weight[2]}) >= 0.0) return true;
     for (std::size_t k = 0; k < 3; ++k) {
         const Vec3 along = t.corner[(k + 1) % 3] - t.corner[k], to = centre - t.corner[k];
         const double share = std::clamp(to.dot(along) / along.squaredNorm(), 0.0, 1.0);

@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A wall made of quadrilaterals with shared vertices: smooth patches where they meet at small angles, edges and corners elsewhere.
-#include "core/base/vec3.hpp"
+#include "physics/particles/wall_patch.hpp"
 
-#include <array>
 #include <span>
 #include <vector>
 
@@ -16,7 +15,6 @@ class WallFaces;
 struct SurfaceHit {
     core::Vec3 normal = core::Vec3::Zero(); ///< From the surface to the centre, of length one.
     double depth = 0.0;                     ///< Distance of the centre from the surface [m].
-    int triangle = -1;
 };
 
 /// Each quadrilateral is split into four triangles about its centre. A triangle carries the normals of its corners and is
@@ -32,39 +30,44 @@ public:
     WallSurface(std::span<const core::Vec3> vertices, std::span<const std::array<int, 4>> quads, double smooth_angle = 0.27);
 
     [[nodiscard]] bool empty() const { return triangles_.empty(); }
-    /// Triangles that a sphere about `centre` reaching out to `reach` may touch, in rising order.
-    void candidates(const core::Vec3& centre, double reach, std::vector<int>& found) const;
-    /// Whether a sphere about `centre` reaching out to `reach` may touch `triangle`.
-    [[nodiscard]] bool near(int triangle, const core::Vec3& centre, double reach) const;
+    /// Triangles that a sphere about `centre` may touch when it has gone up to `skin` [m], in rising order.
+    void candidates(const core::Vec3& centre, double radius, double skin, std::vector<int>& found) const;
+    /// Whether a sphere about `centre` may touch `triangle` when it has gone up to `skin` [m].
+    [[nodiscard]] bool near(int triangle, const core::Vec3& centre, double radius, double skin) const;
+    /// The curved triangles, for vector code.
+    [[nodiscard]] const std::vector<WallPatch>& patches() const { return patches_; }
     /// Whether the centre faces `triangle` or one of its sharp edges and corners; each place of contact once, up to rounding.
-    [[nodiscard]] bool meet(int triangle, const core::Vec3& centre, SurfaceHit& hit) const;
-    /// Unit normal of the patch of `hit` where the centre was `way` [m] ago.
-    [[nodiscard]] core::Vec3 normal_before(const SurfaceHit& hit, const core::Vec3& centre, const core::Vec3& way) const;
+    /// @param foot  Of the centre on the triangle's patch.
+    [[nodiscard]] bool meet(int triangle, const PatchFoot& foot, const core::Vec3& centre, SurfaceHit& hit) const
+    {
+        // a foot this far outside still counts: neighbours overlap a little, and of two hits with one normal only the deeper is kept
+        constexpr double overlap_share = 1e-3;
+        hit = {core::Vec3(foot.nx, foot.ny, foot.nz), foot.depth};
+        if (std::min({foot.one, foot.two, 1.0 - foot.one - foot.two}) >= -overlap_share) return true;
+        return !triangles_[std::size_t(triangle)].plain && meet_rim(triangle, foot, centre, hit);
+    }
 
 private:
     struct Triangle {
         std::array<core::Vec3, 3> corner;
-        std::array<core::Vec3, 3> normal;     ///< Of the smooth wall at the corners.
-        std::array<core::Vec3, 3> bend;       ///< Of the edges opposite to the corners [m].
-        core::Vec3 dual_one, dual_two;        ///< Barycentric coordinates 1 and 2 of x: dual . (x - corner[0]).
-        std::array<bool, 3> sharp{};          ///< Edge opposite to the corner.
-        std::array<core::Vec3, 3> across;     ///< In the neighbour's plane, away from that edge; zero at the rim of the surface.
+        double bulge;                         ///< Of the patch above or below the flat triangle [m].
+        std::array<double, 3> room, lean;     ///< A foot inside lies below a centre that is no further outside than room + lean depth.
+        std::array<double, 3> slope;          ///< Of the barycentric coordinates [1/m].
+        bool plain = true;                    ///< No sharp edge and no sharp corner.
+        bool sharp = false;                   ///< The edge opposite to corner 0, which is the quadrilateral's.
+        core::Vec3 across;                    ///< In the neighbour's plane, away from that edge; zero at the rim of the surface.
         std::array<int, 3> vertex{-1, -1, -1};///< Number of the corner if it is sharp, or -1.
-        bool flat = true;
-    };
-    struct Foot {
-        std::array<double, 3> weight;
-        core::Vec3 point, normal;
-        double depth;
     };
     void add_triangles(const WallFaces& faces, int face);
+    void add_patch(Triangle& triangle, const std::array<core::Vec3, 3>& normal);
     void fill_bins();
-    [[nodiscard]] static Foot foot(const Triangle& triangle, const core::Vec3& centre);
-    [[nodiscard]] bool meet_edge(const Triangle& triangle, int edge, const core::Vec3& centre, SurfaceHit& hit) const;
+    [[nodiscard]] bool meet_rim(int triangle, const PatchFoot& foot, const core::Vec3& centre, SurfaceHit& hit) const;
+    [[nodiscard]] bool meet_edge(const Triangle& triangle, const core::Vec3& centre, SurfaceHit& hit) const;
     [[nodiscard]] bool meet_corner(const Triangle& triangle, int corner, const core::Vec3& centre, SurfaceHit& hit) const;
     [[nodiscard]] std::array<int, 3> bin(const core::Vec3& x) const;
 
     std::vector<Triangle> triangles_;
+    std::vector<WallPatch> patches_;
     std::vector<std::vector<core::Vec3>> spokes_; // directions of the edges from each sharp corner
     core::Vec3 low_ = core::Vec3::Zero(), high_ = core::Vec3::Zero();
     std::array<int, 3> bins_{1, 1, 1};

@@ -137,8 +137,10 @@ std::optional<Location> Locator::find(const Vec3& x, const Location& near) const
     constexpr int most_steps = 12;
     if (near.block >= 0)
         if (auto at = walk(x, near, most_steps)) return at;
-    if (auto at = find(x)) return at;
-    return find_beyond_seams(x);
+    const auto direct = find(x);
+    if (direct && (position(*direct) - x).norm() < 1e-9 * bins_.size.norm()) return direct;
+    const auto beyond = find_beyond_seams(x); // else beyond a seam, or beyond a wall by less than the tolerance
+    return beyond ? beyond : direct;
 }
 
 } // namespace core

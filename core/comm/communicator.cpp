@@ -62,7 +62,7 @@ namespace {
 
 int count_of(std::size_t n)
 {
-    require<Error>(n <= std::size_t(std::numeric_limits<int>::max()), text("message of ", n, " elements is too long for MPI"));
+    if (n > std::size_t(std::numeric_limits<int>::max())) throw Error(text("message of ", n, " elements is too long for MPI"));
     return int(n);
 }
 

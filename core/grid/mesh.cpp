@@ -8,6 +8,8 @@
 namespace core {
 namespace {
 
+constexpr double smallest_jacobian = 1e-8; // of the product of the edges at a corner
+
 /// @return volume of the block [m3].
 double checked_volume(const MultiBlock& grid, BlockId block)
 {
@@ -15,9 +17,9 @@ double checked_volume(const MultiBlock& grid, BlockId block)
     double volume = 0;
     for_each_cell(cells_of(v), [&](int i, int j, int k) {
         const double jacobian = smallest_corner_jacobian(v, {i, j, k});
-        require<ConfigError>(jacobian > 1e-8, text("cell (", i, ", ", j, ", ", k, ") of block ", block,
-                                                   " is folded or flat: its smallest corner Jacobian is ", jacobian,
-                                                   " of the product of its edges"));
+        if (!(jacobian > smallest_jacobian))
+            throw ConfigError(text("cell (", i, ", ", j, ", ", k, ") of block ", block, " is folded or flat: its smallest corner Jacobian is ",
+                                   jacobian, " of the product of its edges"));
         volume += cell_shape(v, {i, j, k}).volume;
     });
     return volume;

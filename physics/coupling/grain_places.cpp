@@ -6,6 +6,15 @@
 #include <numeric>
 
 namespace physics {
+namespace {
+
+core::NumericsError left_the_domain(const core::ParticleSet& grains, int g, const core::Vec3& x)
+{
+    return core::NumericsError(core::text("particle ", grains.id[std::size_t(g)], " at ", x.transpose(),
+                                          " m lies in no cell of its rank: it has left the domain or moved too far in one step"));
+}
+
+} // namespace
 
 void GrainPlaces::locate(const core::Mesh& mesh, const core::Locator& locator, const core::Domain& domain,
                          const core::ParticleSet& grains)
@@ -19,8 +28,7 @@ void GrainPlaces::locate(const core::Mesh& mesh, const core::Locator& locator, c
         core::Location& last = last_[grains.id[std::size_t(g)]];
         const auto found = locator.find(x + domain.origin, last);
         const bool here = found && mesh.local(found->block) >= 0;
-        core::require<core::NumericsError>(here, core::text("particle ", grains.id[std::size_t(g)], " at ", (x + domain.origin).transpose(),
-                                                            " m lies in no cell of its rank: it has left the domain or moved too far in one step"));
+        if (!here) throw left_the_domain(grains, g, x + domain.origin);
         last = locations_[std::size_t(g)] = *found;
         stencils_[std::size_t(g)] = core::hat_stencil(mesh, *found);
     }

@@ -57,7 +57,7 @@ std::vector<double> chebyshev_exponential(double a, double tolerance)
 
 Filter::Filter(const BlockTopology& topology, const FilterOptions& options)
     : options_(options), mesh_(sorted_mesh(topology, link_source_)), matrix_(make_seven_point<double>(mesh_, false)),
-      inverse_volume_(mesh_.layout.size(), 0.0), outflow_(mesh_.layout.size(), Octet{}),
+      inverse_volume_(mesh_.layout.size(), 0.0),
       groups_(std::size_t((options.fields + fields_per_octet - 1) / fields_per_octet)), messages_(groups_.size())
 {
     for (Group& g : groups_) {
@@ -123,46 +123,37 @@ void Filter::take(const core::Team& team, int n, const std::function<core::View<
     });
 }
 
-void Filter::add_outflow(int piece, const Octet* t, Octet* outflow) const
-{
-    const Piece& p = mesh_.layout.pieces()[std::size_t(piece)];
-    const core::Extents cells = mesh_.layout.cells(p.block);
-    const std::array<std::ptrdiff_t, 3> stride{1, cells.ni, std::ptrdiff_t(cells.ni) * cells.nj};
-    const double *ti = matrix_.face[0].data(), *tj = matrix_.face[1].data(), *tk = matrix_.face[2].data();
-    for (auto c = p.begin; c < p.end; ++c) {
-        const Octet &v = t[c], &i0 = t[c - 1], &i1 = t[c + 1], &j0 = t[c - stride[1]], &j1 = t[c + stride[1]],
-                    &k0 = t[c - stride[2]], &k1 = t[c + stride[2]];
-        const double a = ti[c], b = ti[c + 1], d = tj[c], e = tj[c + stride[1]], g = tk[c], h = tk[c + stride[2]];
-        Octet& out = outflow[c];
-#pragma omp simd
-        for (int f = 0; f < fields_per_octet; ++f) {
-            const double x = v.field[f];
-            out.field[f] = a * (x - i0.field[f]) + b * (x - i1.field[f]) + d * (x - j0.field[f]) + e * (x - j1.field[f]) +
-                           g * (x - k0.field[f]) + h * (x - k1.field[f]);
-        }
-    }
-    for (int n = mesh_.piece_halves[std::size_t(piece)]; n < mesh_.piece_halves[std::size_t(piece) + 1]; ++n) {
-        const HalfLink& half = mesh_.halves[std::size_t(n)];
-        const double a = matrix_.half[std::size_t(n)];
-        const Octet &here = t[half.cell], &there = t[half.other];
-        Octet& out = outflow[half.cell];
-#pragma omp simd
-        for (int f = 0; f < fields_per_octet; ++f) out.field[f] += a * (here.field[f] - there.field[f]);
-    }
-}
-
 void Filter::pass_piece(int piece, int number, Group& group)
 {
     const Piece& p = mesh_.layout.pieces()[std::size_t(piece)];
+    const core::Extents cells = mesh_.layout.cells(p.block);
+    const std::ptrdiff_t row = cells.ni, plane = row * cells.nj;
+    const double *ti = matrix_.face[0].data(), *tj = matrix_.face[1].data(), *tk = matrix_.face[2].data();
     const std::size_t now = std::size_t(number + 1) % 2;
     const double scale = bound_ > 0.0 ? 2.0 / bound_ : 0.0, term = coefficients_[std::size_t(number)];
     const double factor = number == 1 ? 1.0 : 2.0, keep = number == 1 ? 0.0 : 1.0;
     const Octet* t = group.t[now].data();
-    Octet *last = group.t[1 - now].data(), *sum = group.sum.data(), *outflow = outflow_.data();
-    add_outflow(piece, t, outflow);
+    Octet *last = group.t[1 - now].data(), *sum = group.sum.data();
+    int half = mesh_.piece_halves[std::size_t(piece)];
+    const int last_half = mesh_.piece_halves[std::size_t(piece) + 1];
     for (auto c = p.begin; c < p.end; ++c) {
+        const Octet& x = t[c];
+        Octet out;
+        const std::array<double, 6> a{ti[c], ti[c + 1], tj[c], tj[c + row], tk[c], tk[c + plane]};
+        const std::array<const Octet*, 6> y{t + c - 1, t + c + 1, t + c - row, t + c + row, t + c - plane, t + c + plane};
+#pragma omp simd
+        for (int f = 0; f < fields_per_octet; ++f) {
+            const double v = x.field[f];
+            out.field[f] = a[0] * (v - y[0]->field[f]) + a[1] * (v - y[1]->field[f]) + a[2] * (v - y[2]->field[f]) +
+                           a[3] * (v - y[3]->field[f]) + a[4] * (v - y[4]->field[f]) + a[5] * (v - y[5]->field[f]);
+        }
+        for (; half < last_half && mesh_.halves[std::size_t(half)].cell == c; ++half) { // halves are sorted by cell
+            const Octet& there = t[mesh_.halves[std::size_t(half)].other];
+            const double link = matrix_.half[std::size_t(half)];
+#pragma omp simd
+            for (int f = 0; f < fields_per_octet; ++f) out.field[f] += link * (x.field[f] - there.field[f]);
+        }
         const double w = scale * inverse_volume_[std::size_t(c)];
-        const Octet &x = t[c], &out = outflow[c];
         Octet &old = last[c], &total = sum[c];
 #pragma omp simd
         for (int f = 0; f < fields_per_octet; ++f) {

@@ -76,14 +76,12 @@ private:
         std::array<std::vector<Octet>, 2> t; ///< the last two Chebyshev polynomials times the fields
     };
     void pass_piece(int piece, int number, Group& group);
-    void add_outflow(int piece, const Octet* t, Octet* outflow) const;
 
     FilterOptions options_;
     std::vector<int> link_source_;
     LevelMesh mesh_;
     SevenPoint<double> matrix_;
     std::vector<double> inverse_volume_;
-    std::vector<Octet> outflow_;
     double bound_ = 0.0;
     std::vector<double> coefficients_{1.0};
     std::vector<Group> groups_;

@@ -47,6 +47,8 @@ def cases(long):
     pipe = ["grid.pipe.size=small", *grains, "run.time_step=0.1 ms", *QUIET]
     all_cases = {"pipe": Case(str(CONFIGS / "pipe_oscillating"), pipe, 1, 2), "dry": Case(DRY_BED, [], 4, 8)}
     if long:
+        seed = ["grid.pipe.size=small", "run.settle=50 ms", *QUIET]  # all 1,600 grains, time step by its limits, past a reversal
+        all_cases["seed"] = Case(str(CONFIGS / "pipe_oscillating"), seed, 30, 60)
         all_cases["fluid"] = Case(str(CONFIGS / "pipe_womersley"), [*QUIET, "output.metrics=never", "grid.pipe.cells.across=12"], 25, 50)
     return all_cases
 

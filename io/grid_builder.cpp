@@ -1,8 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #include "io/grid_builder.hpp"
-#include "core/grid/box.hpp"
+#include "core/base/error.hpp"
+#include "core/grid/annulus.hpp"
+#include "core/grid/bent_pipe.hpp"
 #include "core/grid/pipe.hpp"
+#include "core/grid/stepped_channel.hpp"
+#include "core/grid/wavy_box.hpp"
+#include "io/imported_blocks.hpp"
 #include <set>
 
 namespace io {
@@ -30,23 +35,112 @@ core::MultiBlock blocks_of(const BoxGrid& box, const Grid& grid)
     b.high = box.size;
     b.cells = {box.cells[0], box.cells[1], box.cells[2]};
     b.blocks = {box.blocks[0], box.blocks[1], box.blocks[2]};
-    for (int axis = 0; axis < 3; ++axis) b.periodic[std::size_t(axis)] = grid.is_periodic(axis);
+    b.periodic = grid.periodic_axes();
     return core::make_box(b);
+}
+
+core::MultiBlock blocks_of(const WavyBoxGrid& box, const Grid& grid)
+{
+    core::Box b;
+    b.high = box.size;
+    b.cells = {box.cells[0], box.cells[1], box.cells[2]};
+    b.blocks = {box.blocks[0], box.blocks[1], box.blocks[2]};
+    b.periodic = grid.periodic_axes();
+    return core::make_wavy_box(b, {box.amplitude, box.waves});
+}
+
+core::MultiBlock blocks_of(const AnnulusGrid& annulus, const Grid& grid)
+{
+    core::Annulus a;
+    a.inner_diameter = annulus.inner_diameter;
+    a.outer_diameter = annulus.outer_diameter;
+    a.length = annulus.length;
+    a.cells = {annulus.cells_along, annulus.cells_outwards, annulus.cells_around};
+    a.blocks = {annulus.blocks_along, annulus.blocks_outwards, annulus.blocks_around};
+    a.growth = annulus.growth;
+    a.periodic = grid.is_periodic(0);
+    return core::make_annulus(a);
+}
+
+core::MultiBlock blocks_of(const BentPipeGrid& pipe, const Grid& grid)
+{
+    core::BentPipe p;
+    p.diameter = pipe.diameter;
+    p.core_cells = pipe.across / 2;
+    p.wing_cells = pipe.across / 4;
+    p.core_fraction = pipe.core_fraction;
+    for (const PipePieceGrid& piece : pipe.pieces)
+        p.pieces.push_back({piece.length.value_or(0), piece.angle.value_or(0), piece.radius.value_or(0), piece.towards, piece.cells, piece.blocks});
+    p.periodic = !grid.periodic.empty();
+    core::MultiBlock made = core::make_bent_pipe(p);
+    for (const core::Vec3& period : made.periods)
+        for (int axis = 0; axis < 3; ++axis)
+            core::require<core::ConfigError>(std::abs(period[axis]) < 1e-9 * period.norm() || grid.is_periodic(axis),
+                                             core::text("the ends of the pipe are apart by (", period.transpose(), ") m: this must be along the periodic axis"));
+    return made;
+}
+
+core::MultiBlock blocks_of(const SteppedChannelGrid& channel, const Grid& grid)
+{
+    core::SteppedChannel c;
+    c.shallow_length = channel.shallow_length;
+    c.deep_length = channel.deep_length;
+    c.height = channel.height;
+    c.step = channel.step;
+    c.width = channel.width;
+    c.cells_along = {channel.cells_shallow, channel.cells_deep};
+    c.cells_up = {channel.cells_step, channel.cells_height};
+    c.cells_across = channel.cells_across;
+    c.blocks_along = {channel.blocks_shallow, channel.blocks_deep};
+    c.blocks_across = channel.blocks_across;
+    c.periodic_along = grid.is_periodic(0);
+    c.periodic_across = grid.is_periodic(2);
+    return core::make_stepped_channel(c);
 }
 
 } // namespace
 
 core::MultiBlock make_blocks(const Grid& grid)
 {
-    return grid.pipe ? blocks_of(*grid.pipe, grid.is_periodic(0)) : blocks_of(*grid.box, grid);
+    if (grid.pipe) return blocks_of(*grid.pipe, grid.is_periodic(0));
+    if (grid.box) return blocks_of(*grid.box, grid);
+    if (grid.wavy_box) return blocks_of(*grid.wavy_box, grid);
+    if (grid.annulus) return blocks_of(*grid.annulus, grid);
+    if (grid.bent_pipe) return blocks_of(*grid.bent_pipe, grid);
+    if (grid.stepped_channel) return blocks_of(*grid.stepped_channel, grid);
+    core::require<core::ConfigError>(grid.blocks.has_value(), "the scene has no grid");
+    return import_blocks(*grid.blocks, grid.periodic_axes());
+}
+
+GridMeasure measured(const Grid& grid)
+{
+    const core::MultiBlock made = make_blocks(grid);
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    GridMeasure m{core::Vec3::Constant(infinity), core::Vec3::Constant(-infinity), 0.0};
+    for (std::size_t b = 0; b < made.blocks.size(); ++b) {
+        m.volume += core::checked_volume(made, core::BlockId(b));
+        for (const core::Vec3& x : made.blocks[b].data()) {
+            m.low = m.low.cwiseMin(x);
+            m.high = m.high.cwiseMax(x);
+        }
+    }
+    for (const core::Vec3& period : made.periods)
+        for (int axis = 0; axis < 3; ++axis)
+            if (grid.is_periodic(axis) && period[axis] != 0) {
+                const double middle = 0.5 * (m.low[axis] + m.high[axis]);
+                m.low[axis] = middle - 0.5 * std::abs(period[axis]);
+                m.high[axis] = m.low[axis] + std::abs(period[axis]);
+            }
+    return m;
 }
 
 core::Domain make_domain(const Grid& grid)
 {
+    core::require<core::ConfigError>(grid.is_primitive() || grid.measure, "the grid must be measured before it has a domain");
     core::Domain domain;
     domain.origin = grid.low();
     domain.size = grid.high() - grid.low();
-    for (int axis = 0; axis < 3; ++axis) domain.periodic[std::size_t(axis)] = grid.is_periodic(axis);
+    domain.periodic = grid.periodic_axes();
     return domain;
 }
 

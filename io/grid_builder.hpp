@@ -10,12 +10,17 @@
 namespace io {
 
 /// The blocks of the scene's grid.
+/// @throws core::ConfigError if they cannot be made.
 [[nodiscard]] core::MultiBlock make_blocks(const Grid& grid);
+
+/// What the blocks fill. Along a periodic axis the box is one period long.
+/// @throws core::ConfigError naming block and cell if a cell is folded or flat.
+[[nodiscard]] GridMeasure measured(const Grid& grid);
 
 /// The box around the grid, with its periods.
 [[nodiscard]] core::Domain make_domain(const Grid& grid);
 
-/// The walls of the grid as planes and cylinders, relative to the domain's origin.
+/// The walls of a pipe or box as planes and cylinders, relative to the domain's origin.
 [[nodiscard]] std::vector<physics::Wall> primitive_walls(const Grid& grid);
 
 /// Names of the boundaries of the mesh that are walls for particles: all of them.

@@ -24,22 +24,35 @@ bool Grid::is_periodic(int axis) const
     });
 }
 
+std::string Grid::shape() const
+{
+    if (pipe) return "pipe";
+    if (box) return "box";
+    if (wavy_box) return "wavy_box";
+    if (annulus) return "annulus";
+    if (bent_pipe) return "bent_pipe";
+    if (stepped_channel) return "stepped_channel";
+    return blocks ? "blocks" : "";
+}
+
 core::Vec3 Grid::low() const
 {
-    if (!pipe) return core::Vec3::Zero();
-    return {0.0, -0.5 * pipe->diameter, -0.5 * pipe->diameter};
+    if (pipe) return {0.0, -0.5 * pipe->diameter, -0.5 * pipe->diameter};
+    return measure ? measure->low : core::Vec3(core::Vec3::Zero());
 }
 
 core::Vec3 Grid::high() const
 {
     if (pipe) return {pipe->length, 0.5 * pipe->diameter, 0.5 * pipe->diameter};
-    return box ? box->size : core::Vec3(core::Vec3::Zero());
+    if (box) return box->size;
+    return measure ? measure->high : core::Vec3(core::Vec3::Zero());
 }
 
 double Grid::volume() const
 {
     if (pipe) return 0.25 * std::numbers::pi * pipe->diameter * pipe->diameter * pipe->length;
-    return box ? box->size.prod() : 0.0;
+    if (box) return box->size.prod();
+    return measure ? measure->volume : 0.0;
 }
 
 void Scene::resolve()

@@ -3,6 +3,7 @@
 #pragma once
 // A scene as the user describes it: plain structs in SI units, with the defaults.
 #include "core/base/vec3.hpp"
+#include "io/grid_shapes.hpp"
 #include "io/value.hpp"
 #include <array>
 #include <cstddef>
@@ -86,13 +87,32 @@ struct BoxGrid {
     bool operator==(const BoxGrid&) const = default;
 };
 
+/// What a grid fills.
+struct GridMeasure {
+    core::Vec3 low = core::Vec3::Zero(), high = core::Vec3::Zero(); ///< corners of the box around it [m]
+    double volume = 0.0;                                            ///< [m3]
+    bool operator==(const GridMeasure&) const = default;
+};
+
+/// Exactly one of the shapes is given.
 struct Grid {
     std::optional<PipeGrid> pipe;
     std::optional<BoxGrid> box;
-    std::vector<Axis> periodic; ///< `axial` is the axis of a pipe, the same as `x`.
+    std::optional<WavyBoxGrid> wavy_box;
+    std::optional<AnnulusGrid> annulus;
+    std::optional<BentPipeGrid> bent_pipe;
+    std::optional<SteppedChannelGrid> stepped_channel;
+    std::optional<ImportedGrid> blocks;
+    std::vector<Axis> periodic;         ///< `axial` is the axis of a pipe or annulus, the same as `x`.
+    std::optional<GridMeasure> measure; ///< Of shapes other than the pipe and the box, once they have been made.
     bool operator==(const Grid&) const = default;
 
     [[nodiscard]] bool is_periodic(int axis) const;
+    [[nodiscard]] std::array<bool, 3> periodic_axes() const { return {is_periodic(0), is_periodic(1), is_periodic(2)}; }
+    /// Is it one whose walls are planes and a cylinder?
+    [[nodiscard]] bool is_primitive() const { return pipe || box; }
+    /// The key of the shape; empty if none is given.
+    [[nodiscard]] std::string shape() const;
     /// The box around the domain [m].
     [[nodiscard]] core::Vec3 low() const;
     [[nodiscard]] core::Vec3 high() const;

@@ -26,9 +26,6 @@ namespace {
         {
             if (!scene_.fluid && !locations_.given("particles"))
                 complain("", "the scene has neither 'fluid' nor 'particles'", "add one of them");
-            if (scene_.grid.pipe) check_pipe(*scene_.grid.pipe);
-            if (scene_.grid.box) check_box(*scene_.grid.box);
-            check_periodic();
             if (scene_.fluid && scene_.fluid->drive) check_drive(*scene_.fluid->drive);
             for (std::size_t n = 0; n < scene_.particles.size(); ++n) check_species(n);
             check_company();
@@ -49,51 +46,6 @@ namespace {
             return std::all_of(paths.begin(), paths.end(), [&](const auto& path) { return locations_.good(path); });
         }
 
-        void check_pipe(const PipeGrid& pipe)
-        {
-            const PipeCells cells = pipe.chosen_cells();
-            if (pipe.cells && pipe.size)
-                complain("grid.pipe.cells", "'cells' excludes 'size'", "keep one of the two");
-            if (locations_.good("grid.pipe.cells.across") && cells.across % 4 != 0)
-                complain("grid.pipe.cells.across", fmt::format("{} cells across are not a multiple of 4", cells.across),
-                         fmt::format("write {} or {}", std::max(4, cells.across / 4 * 4), cells.across / 4 * 4 + 4));
-            if (all_good({"grid.pipe.blocks_along", "grid.pipe.cells.along", "grid.pipe.size"}) &&
-                cells.along % pipe.blocks_along != 0)
-                complain("grid.pipe.blocks_along",
-                         fmt::format("{} cells along the pipe do not divide into {} blocks", cells.along,
-                                     pipe.blocks_along),
-                         "choose a number of blocks that divides the cells");
-        }
-
-        void check_box(const BoxGrid& box)
-        {
-            if (!all_good({"grid.box.cells", "grid.box.blocks"})) return;
-            for (std::size_t axis = 0; axis < 3; ++axis)
-                if (box.cells[axis] % box.blocks[axis] != 0)
-                    complain("grid.box.blocks",
-                             fmt::format("{} cells along {} do not divide into {} blocks", box.cells[axis],
-                                         axis_words[axis + 1], box.blocks[axis]),
-                             "choose numbers of blocks that divide the cells");
-        }
-
-        void check_periodic()
-        {
-            if (!locations_.good("grid.periodic")) return;
-            for (const Axis axis : scene_.grid.periodic) {
-                if (scene_.grid.pipe && axis != Axis::axial && axis != Axis::x)
-                    complain("grid.periodic", "a pipe repeats only along its axis", "write [axial]");
-                if (scene_.grid.box && axis == Axis::axial)
-                    complain("grid.periodic", "a box has no 'axial' direction", "write x, y or z");
-            }
-            for (int axis = 0; axis < 3; ++axis)
-                for (const std::string end : {"low", "high"}) {
-                    const std::string wall = fmt::format("{}_{}", axis_words[std::size_t(axis) + 1], end);
-                    if (scene_.grid.is_periodic(axis) && locations_.given("grid.box.walls." + wall))
-                        complain("grid.box.walls." + wall, fmt::format("{} is periodic and has no wall", wall),
-                                 "remove the wall, or the axis from 'periodic'");
-                }
-        }
-
         void check_drive(const Drive& drive)
         {
             const std::string path = "fluid.drive";
@@ -107,8 +59,8 @@ namespace {
             if (drive.reverse_at && locations_.good(path + ".pressure_gradient") && drive.pressure_gradient == 0.0)
                 complain(path + ".pressure_gradient", "without a gradient the flow never reverses",
                          "write a gradient other than 0");
-            if (drive.reverse_at && scene_.grid.box)
-                complain(path + ".reverse_at", "'reverse_at' watches the axis of a pipe, and this is a box",
+            if (drive.reverse_at && !scene_.grid.pipe && locations_.good("grid"))
+                complain(path + ".reverse_at", fmt::format("'reverse_at' watches the axis of a pipe, and this is a {}", scene_.grid.shape()),
                          "use 'frequency', or grid.pipe");
         }
 
@@ -195,6 +147,8 @@ namespace {
         void check_company()
         {
             const bool particles = !scene_.particles.empty() || locations_.given("particles");
+            if (particles && locations_.good("grid") && !scene_.grid.is_primitive())
+                complain("particles", fmt::format("particles cannot be placed in grid.{} yet", scene_.grid.shape()), "use grid.pipe or grid.box");
             if (particles && !scene_.contact)
                 complain("particles", "particles need 'contact'", "add contact: { stiffness: 5 kN/m }");
             if (!particles && scene_.contact)

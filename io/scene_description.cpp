@@ -40,9 +40,14 @@ static void describe(Schema& s, BoxGrid& p)
 
 static void describe(Schema& s, Grid& p)
 {
-    s.exactly_one({"pipe", "box"});
+    s.exactly_one({"pipe", "box", "wavy_box", "annulus", "bent_pipe", "stepped_channel", "blocks"});
     s.group("pipe", p.pipe, "A straight round pipe");
     s.group("box", p.box, "A rectangular box");
+    s.group("wavy_box", p.wavy_box, "A box bent to sine waves");
+    s.group("annulus", p.annulus, "The space between two round pipes");
+    s.group("bent_pipe", p.bent_pipe, "A round pipe along straight pieces and arcs");
+    s.group("stepped_channel", p.stepped_channel, "A channel whose floor steps down; with periodic ends, one with a trench");
+    s.group("blocks", p.blocks, "Blocks from a file");
     s.value("periodic", "Axes along which the domain repeats", choices_of(p.periodic, axis_words));
 }
 

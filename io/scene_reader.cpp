@@ -38,6 +38,7 @@ Scene read_scene_tree(Node& root, Mark start, const std::vector<std::string>& ov
     Scene scene;
     describe(reader, scene);
     reader.finish();
+    check_grid(scene.grid, std::filesystem::path(start.source->name).parent_path(), locations, problems);
     check_scene(scene, locations, problems);
     scene.resolve();
     return scene;

@@ -38,6 +38,10 @@ struct SceneReading {
 /// The text of a file. @throws core::ConfigError if it cannot be read.
 [[nodiscard]] std::string text_of(const std::filesystem::path& file);
 
+/// Checks the grid, and makes it once to know what it fills.
+/// @param folder  That files are relative to.
+void check_grid(Grid& grid, const std::filesystem::path& folder, Locations& locations, Problems& problems);
+
 /// Finds mistakes that only several keys together show; says nothing about values that could not be read.
 void check_scene(const Scene& scene, const Locations& locations, Problems& problems);
 

@@ -4,6 +4,7 @@
 // Integer boxes and the six sides of a block.
 #include <array>
 #include <cstddef>
+#include <string_view>
 
 namespace core {
 
@@ -31,6 +32,7 @@ struct Extents {
 enum class Side { i_low, i_high, j_low, j_high, k_low, k_high };
 inline constexpr std::array<Side, 6> all_sides{Side::i_low,  Side::i_high, Side::j_low,
                                                Side::j_high, Side::k_low,  Side::k_high};
+inline constexpr std::array<std::string_view, 6> side_words{"i_low", "i_high", "j_low", "j_high", "k_low", "k_high"};
 [[nodiscard]] constexpr int axis_of(Side s) { return static_cast<int>(s) / 2; }
 [[nodiscard]] constexpr bool is_high(Side s) { return static_cast<int>(s) % 2 == 1; }
 [[nodiscard]] constexpr Side side_of(int axis, bool high) { return static_cast<Side>(2 * axis + (high ? 1 : 0)); }

@@ -2,30 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/grid/mesh.hpp"
 #include "core/base/error.hpp"
-#include "core/grid/hexahedron.hpp"
 #include "core/grid/partition.hpp"
 
 namespace core {
-namespace {
-
-constexpr double smallest_jacobian = 1e-8; // of the product of the edges at a corner
-
-/// @return volume of the block [m3].
-double checked_volume(const MultiBlock& grid, BlockId block)
-{
-    const Vertices& v = grid.blocks[std::size_t(block)];
-    double volume = 0;
-    for_each_cell(cells_of(v), [&](int i, int j, int k) {
-        const double jacobian = smallest_corner_jacobian(v, {i, j, k});
-        if (!(jacobian > smallest_jacobian))
-            throw ConfigError(text("cell (", i, ", ", j, ", ", k, ") of block ", block, " is folded or flat: its smallest corner Jacobian is ",
-                                   jacobian, " of the product of its edges"));
-        volume += cell_shape(v, {i, j, k}).volume;
-    });
-    return volume;
-}
-
-} // namespace
 
 Mesh::Mesh(MultiBlock grid, int rank, int ranks) : grid_(std::move(grid))
 {

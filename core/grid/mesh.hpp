@@ -48,6 +48,10 @@ private:
     double total_volume_ = 0;
 };
 
+/// Volume of a block [m3].
+/// @throws ConfigError naming block and cell if a cell is folded or flat.
+[[nodiscard]] double checked_volume(const MultiBlock& grid, BlockId block);
+
 /// The metrics of one block, with the centres of its neighbours' cells in its halo.
 [[nodiscard]] BlockGeometry make_geometry(const MultiBlock& grid, const Topology& topology, BlockId block);
 

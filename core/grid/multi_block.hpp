@@ -17,6 +17,8 @@ struct MultiBlock {
     std::vector<Vertices> blocks;
     /// Translations that carry the domain onto itself [m].
     std::vector<Vec3> periods;
+    /// Vertices of sides that meet are at most this share of the side's smallest edge apart.
+    double match_tolerance = 1e-6;
     /// Name of the boundary that an unmatched side belongs to.
     std::function<std::string(BlockId, Side)> boundary_name = [](BlockId, Side) { return std::string("wall"); };
 };

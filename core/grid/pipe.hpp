@@ -2,19 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The butterfly grid of a straight round pipe along x: a square core and four wings, cut along the axis.
+#include "core/grid/butterfly.hpp"
 #include "core/grid/multi_block.hpp"
 
 namespace core {
 
-struct Pipe {
-    double diameter = 0.05, length = 0.09; ///< [m]
-    int core_cells = 8;                    ///< across the core, even or odd
-    int wing_cells = 4;                    ///< from the core to the wall
+struct Pipe : Butterfly {
+    double length = 0.09; ///< [m]
     int axial_cells = 32;
     int blocks_along = 4;
-    double core_fraction = 0.55; ///< half diagonal of the core over the radius
-    double core_bulge = 0.5;     ///< 0: the core is a square, 1: its sides are arcs about the axis
-    double wall_growth = 1.0;    ///< size of the cell at the core over that at the wall
     bool periodic = true;
 };
 

@@ -122,7 +122,7 @@ std::optional<Interface> meeting(const MultiBlock& grid, SideRef a, SideRef b, c
 {
     const Vertices& va = grid.blocks[std::size_t(a.block)];
     const Vertices& vb = grid.blocks[std::size_t(b.block)];
-    const double tolerance = 1e-6 * smallest_edge(va, a.side);
+    const double tolerance = grid.match_tolerance * smallest_edge(va, a.side);
     for (const Vec3& shift : shifts) {
         const bool itself = a.block == b.block && a.side == b.side;
         if (itself || (centre(va, a.side) + shift - centre(vb, b.side)).norm() > tolerance) continue;
@@ -139,7 +139,7 @@ void connect(Topology& topology, const Interface& f)
     const auto enter = [&](BlockId block, Side side, const Neighbour& n) {
         auto& place = topology.neighbours[std::size_t(block)][std::size_t(side)];
         require<ConfigError>(!place.has_value(),
-                             text("side ", int(side), " of block ", block, " meets blocks ", place ? place->block : -1, " and ", n.block,
+                             text("side ", side_words[std::size_t(side)], " of block ", block, " meets blocks ", place ? place->block : -1, " and ", n.block,
                                   ": cut the blocks so that each side meets one other"));
         place = n;
     };

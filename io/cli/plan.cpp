@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // isago plan: what would run, what is left out and why, and what it costs in memory.
 #include "io/cli/command.hpp"
+#include "io/grid_report.hpp"
 #include "io/scene_reader.hpp"
 #include "io/world.hpp"
 #include <fmt/format.h>
@@ -25,6 +26,7 @@ int plan(const std::string& scene_path, const std::vector<std::string>& override
     if (!world.fluid()) fmt::print("no fluid: no fluid stage, no fluid field\n");
     if (!world.grains()) fmt::print("no particles: no particle stage, no fluid fraction\n");
     if (world.coupling()) fmt::print("coupling {}\n", world.mode_reason());
+    fmt::print("\n{}\n", grid_report(world.mesh()));
     std::cout << report;
     return exit_success;
 }

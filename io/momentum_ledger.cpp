@@ -10,7 +10,7 @@
 namespace io {
 namespace {
 
-constexpr std::size_t cell_sums = 16, grain_sums = 17;
+constexpr std::size_t cell_sums = 16, grain_sums = 20;
 
 /// Three neighbouring numbers.
 core::Vec3 vector_at(std::span<const double> values, std::size_t first) { return {values[first], values[first + 1], values[first + 2]}; }
@@ -31,7 +31,8 @@ struct MomentumLedger::CellSums {
 
 struct MomentumLedger::GrainSums {
     core::Vec3 momentum, owed, contact, taken;
-    core::Vec3 known;     ///< impulse of lift and of what was owed before the step
+    core::Vec3 known;     ///< impulse of lift and of what was delivered
+    core::Vec3 delivered; ///< of what was owed before the step
     double heavy, volume; ///< sum of m - rho V [kg], sum of V [m3]
 };
 
@@ -123,11 +124,12 @@ MomentumLedger::GrainSums MomentumLedger::sum_grains(const core::Vec3& drive) co
         put(6, contact);
         put(9, mass * (velocity - columns_at(grains, exchange.columns().velocity_before, i)) - known - contact + pressure + owed);
         put(12, known - pressure - dt * (mass - rho * volume) * gravity - dt * rho * volume * drive);
-        columns[15].push_back(mass - rho * volume);
-        columns[16].push_back(volume);
+        put(15, columns_at(grains, exchange.columns().delivered, i));
+        columns[18].push_back(mass - rho * volume);
+        columns[19].push_back(volume);
     }
     const auto s = exact_sums(world_.ranks(), columns);
-    return {vector_at(s, 0), vector_at(s, 3), vector_at(s, 6), vector_at(s, 9), vector_at(s, 12), s[15], s[16]};
+    return {vector_at(s, 0), vector_at(s, 3), vector_at(s, 6), vector_at(s, 9), vector_at(s, 12), vector_at(s, 15), s[18], s[19]};
 }
 
 void MomentumLedger::update()
@@ -144,9 +146,9 @@ void MomentumLedger::update()
     impulses_.contact = grains.contact;
     impulses_.wall_pressure = cells.wall_pressure;
     impulses_.friction = cells.friction;
-    impulses_.lift = grains.known - before.owed;
+    impulses_.lift = grains.known - grains.delivered;
     impulses_.given = cells.given;
-    impulses_.taken = grains.taken;
+    impulses_.taken = grains.taken - (before.owed - grains.delivered);
     double largest = std::max(impulses_.given.norm(), totals_.sum().norm());
     for (const core::Vec3& x : {impulses_.drive, impulses_.weight, impulses_.contact, impulses_.wall_pressure, impulses_.friction})
         largest = std::max(largest, x.norm());

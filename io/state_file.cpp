@@ -17,6 +17,7 @@ void for_each_scalar(physics::FluidClock& clock, Visit visit)
 {
     visit("time", clock.time);
     visit("time step before", clock.dt_before);
+    visit("memory time", clock.memory_time);
     visit("step", clock.step);
     visit("steps since jump", clock.steps_since_jump);
     visit("drive sign", clock.drive.sign);

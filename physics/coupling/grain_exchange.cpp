@@ -38,6 +38,7 @@ ExchangeColumns add_exchange_columns(core::ParticleSet& grains)
     };
     ExchangeColumns c{};
     c.owed = three();
+    c.delivered = three();
     c.velocity_before = three();
     c.known_force = three();
     c.force_used = three();
@@ -61,7 +62,7 @@ void GrainExchange::freeze_drag(core::ParticleSet& grains, const GrainTable& vie
     }
 }
 
-void GrainExchange::load(core::ParticleSet& grains, const GrainTable& views, const core::Vec3& drive, double dt, double sub_step) const
+void GrainExchange::load(core::ParticleSet& grains, const GrainTable& views, const core::Vec3& drive, const GrainStep& step) const
 {
     const CouplingParameters& p = parameters_;
     clear_impulses(grains, wet_);
@@ -71,8 +72,9 @@ void GrainExchange::load(core::ParticleSet& grains, const GrainTable& views, con
         const core::Vec3 velocity = grains.velocity_of(g), fluid = at(views, view_velocity, g), vorticity = at(views, view_vorticity, g);
         const core::Vec3 force = at(views, view_force, g);
         const double mass = added_mass(p.added_mass, p.fluid_density, volume);
+        const core::Vec3 delivered = step.delivery * column(grains, columns_.owed, g);
         core::Vec3 known = (grains.mass[k] - p.fluid_density * volume) * p.gravity + volume * (force + p.fluid_density * drive) +
-                           column(grains, columns_.owed, g) / dt;
+                           delivered / step.dt;
         const SpinInput spin{fluid - velocity, vorticity, grains.spin_of(g), diameter, p.fluid_density, p.viscosity};
         if (p.lift) known += magnus_lift(spin);
         WetLoad load;
@@ -84,7 +86,8 @@ void GrainExchange::load(core::ParticleSet& grains, const GrainTable& views, con
             load.fluid_spin = 0.5 * vorticity;
             load.spin_drag = torque_factor((spin.spin - load.fluid_spin).norm(), diameter, p.fluid_density, p.viscosity);
         }
-        set_wet_load(grains, wet_, g, load, sub_step);
+        set_wet_load(grains, wet_, g, load, step.sub_step);
+        put(grains, columns_.delivered, g, delivered);
         put(grains, columns_.velocity_before, g, velocity);
         put(grains, columns_.known_force, g, known);
         put(grains, columns_.force_used, g, force);
@@ -150,10 +153,10 @@ void GrainExchange::owe(core::ParticleSet& grains, const GrainTable& news, doubl
         const GrainResponse p = grain_response(coupling, predictor_yield(hold));
         const GrainResponse q = grain_response(coupling, projection_yield(hold, coupling.drag / coupling.mass));
         const core::Vec3 used = column(grains, columns_.force_used, g);
-        core::Vec3 owed;
+        core::Vec3 owed = column(grains, columns_.owed, g) - column(grains, columns_.delivered, g);
         for (int a = 0; a < 3; ++a) {
             const auto value = [&](std::size_t first) { return news[first + std::size_t(a)][std::size_t(g)]; };
-            owed[a] = owed_impulse({used[a], value(news_force), value(news_force_change), value(news_predictor), value(news_projection), value(news_miss)},
+            owed[a] += owed_impulse({used[a], value(news_force), value(news_force_change), value(news_predictor), value(news_projection), value(news_miss)},
                                    coupling.volume, p, q, dt);
         }
         put(grains, columns_.owed, g, owed);

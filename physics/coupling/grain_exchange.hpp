@@ -14,6 +14,7 @@ namespace physics {
 /// three columns unless it says otherwise.
 struct ExchangeColumns {
     int owed;            ///< impulse still owed [N s]; the only one that is carried from step to step
+    int delivered;       ///< what this step delivers of it [N s]
     int velocity_before; ///< [m/s]
     int known_force;     ///< all that the sub-steps apply besides contact, drag and added mass [N]
     int force_used;      ///< B G^n [N/m3]
@@ -21,6 +22,13 @@ struct ExchangeColumns {
     int added_mass;      ///< one column [kg]
 };
 [[nodiscard]] ExchangeColumns add_exchange_columns(core::ParticleSet& grains);
+
+/// What a step is to the grains.
+struct GrainStep {
+    double dt;               ///< of the fluid [s]
+    double sub_step;         ///< of the grains [s]
+    double delivery = 1.0;   ///< share of what is owed that is delivered; less than all in steps shorter than those before
+};
 
 /// Values at the grains: one column for each array of a batch, and a spare one.
 using GrainTable = std::vector<std::vector<double>>;
@@ -41,12 +49,12 @@ public:
 
     /// Step 2: loads of all owned grains.
     /// @param drive  Mean acceleration of the fluid by the drive over the step [m/s2].
-    void load(core::ParticleSet& grains, const GrainTable& views, const core::Vec3& drive, double dt, double sub_step) const;
+    void load(core::ParticleSet& grains, const GrainTable& views, const core::Vec3& drive, const GrainStep& step) const;
 
     /// Step 3: what each grain deposits; grain_sums columns.
     void answer(const core::ParticleSet& grains, double dt, GrainTable& deposits) const;
 
-    /// Step 6: what each grain is owed.
+    /// Step 6: what each grain is owed, with what has not been delivered.
     /// @param news  grain_news columns sampled at the grains.
     void owe(core::ParticleSet& grains, const GrainTable& news, double dt) const;
 

@@ -16,10 +16,11 @@ struct FluidTolerances {
     int most_iterations = 200;
 
     /// What the pressure solver may leave of the net outflow; both as 2-norms over the cells [m3/s].
-    [[nodiscard]] double pressure_target(double throughput, double outflow) const
+    /// @param share  Of the tolerance `pressure`, for one of several steps whose remains add up.
+    [[nodiscard]] double pressure_target(double throughput, double outflow, double share) const
     {
         constexpr double round_off = 1e-14;
-        return std::max(round_off * throughput, std::min(pressure * throughput, pressure_change * outflow));
+        return std::max(round_off * throughput, std::min(share * pressure * throughput, pressure_change * outflow));
     }
 };
 

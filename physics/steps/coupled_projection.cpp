@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // CoupledStep, the cells' side: predictor, volume flux of the mixture, projection, correction.
 #include "physics/fluid/cell_loops.hpp"
+#include "physics/fluid/flux_memory.hpp"
 #include "physics/fluid/gradient.hpp"
 #include "physics/fluid/projection.hpp"
 #include "physics/steps/coupled_step.hpp"
@@ -22,6 +23,30 @@ void CoupledStep::declare_boundaries(tasks::StageGraph& graph)
     for (core::ScalarField* field : {&fields_.fraction, &fields_.mobility, &fields_.known_mobility})
         graph.boundary(*field, "walls of " + field->info().name,
                        [this](LocalBlock b, View<double> q) { mirror_even(fluid_.walls()[std::size_t(b)], 1, q); });
+}
+
+/// Of the flux of the mixture at the start of the step: compared with what fluid and grains carry there and then.
+void CoupledStep::declare_memory(tasks::StageGraph& graph)
+{
+    auto& f = fields_;
+    auto& fluid = fluid_.fields();
+    auto& state = fluid_.state();
+    graph.each_block(
+        "volume flux of the last step",
+        [](LocalBlock, Vectors u, GrainSumViews sums, const FluidClock& clock, VectorView<double> carried) {
+            if (clock.memory() == 0) return;
+            const auto mixture = [](double v, double solid, double flux) { return (1.0 - solid) * v + flux; };
+            for (int c = 0; c < 3; ++c)
+                map_cells(carried.component(c), mixture, u.component(c), sums[sum_solid], sums[sum_flux + std::size_t(c)]);
+        },
+        reads(state.velocity, f.sums, clock_), writes(f.carried));
+    graph.each_block(
+        "what faces remember with grains",
+        [this](LocalBlock b, FaceView<const double> flux, Vectors carried, const FluidClock& clock, FaceView<double> remembered,
+               View<double> outflow) {
+            if (clock.memory() > 0) split_flux(geometry(b), fluid_.walls()[std::size_t(b)], flux, carried, remembered, outflow);
+        },
+        reads(state.flux, halo(f.carried, 1), clock_), writes(fluid.remembered_flux, fluid.remembered_outflow));
 }
 
 void CoupledStep::declare_advected(tasks::StageGraph& graph)
@@ -95,22 +120,25 @@ void CoupledStep::declare_volume_flux(tasks::StageGraph& graph)
         reads(halo(f.carried, 1)), writes(fluid.predicted_flux));
     graph.each_block(
         "known pressure on faces",
-        [this](LocalBlock b, View<const double> p, Vectors gp, View<const double> known, FaceView<double> known_faces,
-               FaceView<double> scratch, FaceView<double> flux) {
+        [this](LocalBlock b, View<const double> p, Vectors gp, View<const double> known, FaceView<const double> remembered,
+               const FluidClock& clock, FaceView<double> known_faces, FaceView<double> scratch, FaceView<double> flux) {
             face_mobility(known, known_faces);
             gradient_flux(geometry(b), p, gp, scratch);
             close_walls(fluid_.walls()[std::size_t(b)], scratch);
             map_faces(flux, [](double q, double m, double s) { return q - m * s; }, flux, known_faces, scratch);
+            add_remembered(clock.memory(), remembered, flux);
         },
-        reads(halo(state.pressure, 1), halo(fluid.pressure_gradient, 1), halo(f.known_mobility, 1)),
+        reads(halo(state.pressure, 1), halo(fluid.pressure_gradient, 1), halo(f.known_mobility, 1), fluid.remembered_flux, clock_),
         writes(known_face_mobility_, fluid.face_scratch), updates(fluid.predicted_flux));
     graph.each_block(
         "net outflow with grains",
-        [](LocalBlock, FaceView<const double> flux, View<double> outflow, View<double> through) {
+        [](LocalBlock, FaceView<const double> flux, View<const double> remembered, const FluidClock& clock, View<double> outflow,
+           View<double> through) {
             net_outflow(flux, outflow);
             throughput(flux, through);
+            take_off_remembered(clock.memory(), remembered, outflow);
         },
-        reads(fluid.predicted_flux), writes(fluid.outflow, fluid.throughput));
+        reads(fluid.predicted_flux, fluid.remembered_outflow, clock_), writes(fluid.outflow, fluid.throughput));
 }
 
 void CoupledStep::declare_projection(tasks::StageGraph& graph)
@@ -119,8 +147,10 @@ void CoupledStep::declare_projection(tasks::StageGraph& graph)
     graph.whole(
         "solve pressure with grains",
         [this](tasks::Lane& lane, const core::FaceField& mobility, const core::ScalarField& outflow, const core::ScalarField& through,
-               core::ScalarField& change) { return pressure_.solve(lane, mobility, outflow, through, change); },
-        reads(face_mobility_, fluid.outflow, fluid.throughput), writes(fluid.psi));
+               const FluidClock& clock, core::ScalarField& change) {
+            return pressure_.solve(lane, 1.0 - clock.memory(), mobility, outflow, through, change);
+        },
+        reads(face_mobility_, fluid.outflow, fluid.throughput, clock_), writes(fluid.psi));
     graph.each_block(
         "gradient of pressure change",
         [this](LocalBlock b, View<const double> psi, VectorView<double> out) { gradient(geometry(b), geometry(b).gradient, psi, out); },

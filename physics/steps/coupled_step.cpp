@@ -44,6 +44,7 @@ void CoupledStep::declare(tasks::StageGraph& graph, Mode mode)
         if (pass == 0) {
             const auto lane = graph.lane("fluid");
             fluid_.declare_explicit(graph);
+            declare_memory(graph);
         } else declare_gradient(graph);
         {
             const auto lane = graph.lane("particles");
@@ -125,7 +126,7 @@ void CoupledStep::declare_grain_load(tasks::StageGraph& graph)
             std::vector<double> fractions(std::size_t(grains.particles.owned));
             for (LocalBlock b = 0; b < mesh_.own_count(); ++b) places.sample(b, fraction.on(b), fractions);
             exchange_.freeze_drag(grains.particles, table, fractions);
-            exchange_.load(grains.particles, table, drive_of(clock), clock.dt, grains.step());
+            exchange_.load(grains.particles, table, drive_of(clock), {clock.dt, grains.step(), 1.0 - clock.memory()});
         },
         reads(f.views, halo(f.fraction, 1), clock_, places_), updates(grains_));
     graph.whole(
@@ -145,7 +146,7 @@ void CoupledStep::declare_restart_of_grains(tasks::StageGraph& graph)
             places.locate(mesh_, locator_, grains.domain(), grains.particles);
             GrainTable table;
             sample(lane.team(), places, std::size_t(grains.particles.owned), views, table);
-            exchange_.load(grains.particles, table, drive_of(clock), clock.dt, grains.step());
+            exchange_.load(grains.particles, table, drive_of(clock), {clock.dt, grains.step(), 1.0 - clock.memory()});
         },
         reads(fields_.views, clock_, kept_), updates(places_, grains_));
 }

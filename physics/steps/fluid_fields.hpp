@@ -21,6 +21,8 @@ struct FluidFields {
           diffusion({"diffusion of predicted velocity", "m2/s", 0, false}, mesh.own_cells()),
           face_scratch({"flux of a gradient", "", 0, false}, mesh.own_cells()),
           predicted_flux({"predicted volume flux", "m3/s", 0, false}, mesh.own_cells()),
+          remembered_flux({"remembered volume flux", "m3/s", 0, false}, mesh.own_cells()),
+          remembered_outflow({"remembered outflow", "m3/s", 0, false}, mesh.own_cells()),
           outflow({"net outflow", "m3/s", 0, false}, mesh.own_cells()),
           throughput({"throughput", "m3/s", 0, false}, mesh.own_cells()),
           removed_outflow({"removed outflow", "m3/s", 0, false}, mesh.own_cells()),
@@ -37,6 +39,8 @@ struct FluidFields {
     core::VectorField predicted;      ///< before the projection
     core::VectorField diffusion;      ///< net flux of its gradient before viscosity has been made implicit
     core::FaceField face_scratch, predicted_flux;
+    core::FaceField remembered_flux;       ///< of flux_memory.hpp
+    core::ScalarField remembered_outflow;  ///< what the solver left of the net outflow of the last flux
     core::ScalarField outflow;        ///< of the predicted flux
     core::ScalarField throughput;     ///< half the sum of the magnitudes of the fluxes of a cell
     core::ScalarField removed_outflow; ///< what the projection took away of it

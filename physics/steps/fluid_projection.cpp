@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The second half of FluidStep: from the predicted velocity to the new state.
 #include "physics/fluid/cell_loops.hpp"
+#include "physics/fluid/flux_memory.hpp"
 #include "physics/fluid/gradient.hpp"
 #include "physics/fluid/projection.hpp"
 #include "physics/steps/fluid_step.hpp"
@@ -17,10 +18,9 @@ void FluidStep::declare_projection(tasks::StageGraph& graph)
     declare_face_flux(graph);
     graph.whole(
         "solve pressure",
-        [this](tasks::Lane& lane, const core::ScalarField& outflow, const core::ScalarField& throughput, core::ScalarField& psi) {
-            return pressure_system_.solve(lane, outflow, throughput, psi);
-        },
-        reads(fields_.outflow, fields_.throughput), writes(fields_.psi));
+        [this](tasks::Lane& lane, const core::ScalarField& outflow, const core::ScalarField& throughput, const FluidClock& clock,
+               core::ScalarField& psi) { return pressure_system_.solve(lane, 1.0 - clock.memory(), outflow, throughput, psi); },
+        reads(fields_.outflow, fields_.throughput, clock_), writes(fields_.psi));
     declare_correction(graph);
     declare_budget(graph);
 }
@@ -29,24 +29,36 @@ void FluidStep::declare_face_flux(tasks::StageGraph& graph)
 {
     auto& f = fields_;
     graph.each_block(
+        "what faces remember",
+        [this](LocalBlock b, FaceView<const double> flux, Vectors u, const FluidClock& clock, FaceView<double> remembered,
+               View<double> outflow) {
+            if (clock.memory() > 0) split_flux(geometry(b), walls_of(b), flux, u, remembered, outflow);
+        },
+        reads(state_.flux, halo(state_.velocity, 3), clock_), writes(f.remembered_flux, f.remembered_outflow));
+    graph.each_block(
         "face flux",
         [this](LocalBlock b, Vectors predicted, FaceView<double> flux) { interpolated_flux(geometry(b), walls_of(b), predicted, flux); },
         reads(halo(f.predicted, 1)), writes(f.predicted_flux));
     graph.each_block(
         "pressure on faces",
-        [this](LocalBlock b, View<const double> p, Vectors gp, const FluidClock& clock, FaceView<double> scratch, FaceView<double> flux) {
-            add_pressure_smoothing(geometry(b), clock.dt / parameters_.density, clock.implicit_share() * clock.dt * parameters_.viscosity, p, gp,
-                                   scratch, flux);
+        [this](LocalBlock b, View<const double> p, Vectors gp, FaceView<const double> remembered, const FluidClock& clock,
+               FaceView<double> scratch, FaceView<double> flux) {
+            const double diffusion = clock.implicit_share() * clock.dt * parameters_.viscosity;
+            add_pressure_smoothing(geometry(b), clock.dt / parameters_.density, diffusion, p, gp, scratch, flux);
             wall_flux(geometry(b), walls_of(b), flux);
+            add_remembered(clock.memory(), remembered, flux);
         },
-        reads(halo(state_.pressure, 1), halo(f.pressure_gradient, 1), clock_), writes(f.face_scratch), updates(f.predicted_flux));
+        reads(halo(state_.pressure, 1), halo(f.pressure_gradient, 1), f.remembered_flux, clock_), writes(f.face_scratch),
+        updates(f.predicted_flux));
     graph.each_block(
         "net outflow",
-        [](LocalBlock, FaceView<const double> flux, View<double> outflow, View<double> through) {
+        [](LocalBlock, FaceView<const double> flux, View<const double> remembered, const FluidClock& clock, View<double> outflow,
+           View<double> through) {
             net_outflow(flux, outflow);
             throughput(flux, through);
+            take_off_remembered(clock.memory(), remembered, outflow);
         },
-        reads(f.predicted_flux), writes(f.outflow, f.throughput));
+        reads(f.predicted_flux, f.remembered_outflow, clock_), writes(f.outflow, f.throughput));
 }
 
 void FluidStep::declare_correction(tasks::StageGraph& graph)

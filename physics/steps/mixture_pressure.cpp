@@ -46,7 +46,7 @@ tasks::Job MixturePressure::precondition(tasks::Lane& lane, std::span<const doub
     co_await physics::precondition(lane, solver_, in, out);
 }
 
-tasks::Job MixturePressure::solve(tasks::Lane& lane, const core::FaceField& mobility, const core::ScalarField& outflow,
+tasks::Job MixturePressure::solve(tasks::Lane& lane, double share, const core::FaceField& mobility, const core::ScalarField& outflow,
                                   const core::ScalarField& throughput, core::ScalarField& change)
 {
     mobility_ = &mobility;
@@ -59,7 +59,7 @@ tasks::Job MixturePressure::solve(tasks::Lane& lane, const core::FaceField& mobi
         map_cells(layout.view(b, right_), [](double x) { return -x; }, outflow.on(b));
     });
     report_ = {};
-    co_await drive(lane, bicgstab(lane.team(), solver_.workspace(), norms_.options(), right_, solution_, report_), *this);
+    co_await drive(lane, bicgstab(lane.team(), solver_.workspace(), norms_.options(share), right_, solution_, report_), *this);
     unknown_.for_blocks(lane, [&](core::LocalBlock b) {
         map_cells(change.on(b), [](double x) { return x; }, layout.view(b, solution_));
     });

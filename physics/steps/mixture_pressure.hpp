@@ -16,10 +16,11 @@ public:
 
     /// Solves for dp so that (flux - mobility * compact flux of grad dp) has no net outflow.
     /// @param mobility    On faces [m3 s/kg].
+    /// @param share       Of the tolerance that this step may use up: below 1 for steps shorter than those before.
     /// @param outflow     Net outflow of the predicted flux [m3/s]; must sum to zero.
     /// @param throughput  Half the sum of the magnitudes of the fluxes of each cell [m3/s]: what the tolerance refers to.
     /// @param[out] change Interior [Pa].
-    tasks::Job solve(tasks::Lane& lane, const core::FaceField& mobility, const core::ScalarField& outflow,
+    tasks::Job solve(tasks::Lane& lane, double share, const core::FaceField& mobility, const core::ScalarField& outflow,
                      const core::ScalarField& throughput, core::ScalarField& change);
 
     [[nodiscard]] const KrylovReport& report() const { return report_; }

@@ -47,7 +47,7 @@ tasks::Job PressureSystem::precondition(tasks::Lane& lane, std::span<const doubl
     co_await physics::precondition(lane, solver_, in, out);
 }
 
-tasks::Job PressureSystem::solve(tasks::Lane& lane, const core::ScalarField& outflow, const core::ScalarField& throughput,
+tasks::Job PressureSystem::solve(tasks::Lane& lane, double share, const core::ScalarField& outflow, const core::ScalarField& throughput,
                                  core::ScalarField& psi)
 {
     const BlockLayout& layout = solver_.layout();
@@ -58,7 +58,7 @@ tasks::Job PressureSystem::solve(tasks::Lane& lane, const core::ScalarField& out
     co_await norms_.gather(lane, outflow, throughput);
     solver_.expect_right(norms_.outflow());
     report_ = {};
-    co_await drive(lane, bicgstab(lane.team(), solver_.workspace(), norms_.options(), right_, solution_, report_), *this);
+    co_await drive(lane, bicgstab(lane.team(), solver_.workspace(), norms_.options(share), right_, solution_, report_), *this);
     unknown_.for_blocks(lane, [&](core::LocalBlock b) {
         map_cells(psi.on(b), [](double x) { return x; }, layout.view(b, solution_));
     });

@@ -14,10 +14,12 @@ public:
     PressureSystem(const SystemContext& context, const core::Communicator& ranks, const FluidTolerances& tolerances);
 
     /// Solves for psi so that (flux - compact flux of grad psi) has no net outflow.
+    /// @param share       Of the tolerance that this step may use up: below 1 for steps shorter than those before.
     /// @param outflow     Net outflow of the predicted flux [m3/s]; must sum to zero.
     /// @param throughput  Half the sum of the magnitudes of the fluxes of each cell [m3/s]: what the tolerance refers to.
     /// @param[out] psi    Interior [m2/s].
-    tasks::Job solve(tasks::Lane& lane, const core::ScalarField& outflow, const core::ScalarField& throughput, core::ScalarField& psi);
+    tasks::Job solve(tasks::Lane& lane, double share, const core::ScalarField& outflow, const core::ScalarField& throughput,
+                     core::ScalarField& psi);
 
     [[nodiscard]] const KrylovReport& report() const { return report_; }
     [[nodiscard]] const BlockLayout& layout() const { return solver_.layout(); }

@@ -40,11 +40,12 @@ public:
 
     /// 2-norm of the net outflow [m3/s].
     [[nodiscard]] double outflow() const { return out_; }
-    [[nodiscard]] KrylovOptions options() const
+    /// @param share  Of the tolerance that the step may use up.
+    [[nodiscard]] KrylovOptions options(double share) const
     {
         KrylovOptions options;
         options.relative = 1e-13; // round-off: the tolerance proper is absolute
-        options.absolute = tolerances_.pressure_target(through_, out_);
+        options.absolute = tolerances_.pressure_target(through_, out_, share);
         options.most_iterations = tolerances_.most_iterations;
         options.singular = true;
         // Fluxes cancel to round-off of themselves, however small what is left of them.

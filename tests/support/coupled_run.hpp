@@ -107,8 +107,10 @@ public:
         if (grain_velocity.norm() > 0)
             for (std::size_t a = 0; a < 3; ++a)
                 for (double& v : grains().velocity[a]) v = grain_velocity[int(a)];
-        executor_ = tasks::make_executor({.kind = executor_kind_}, world_.compile());
+        go_on();
     }
+    /// After a state has been read.
+    void go_on() { executor_ = tasks::make_executor({.kind = executor_kind_}, world_.compile()); }
     void step() { world_.step(*executor_); }
 
     [[nodiscard]] io::World& world() { return world_; }

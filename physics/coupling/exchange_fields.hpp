@@ -10,31 +10,30 @@ namespace physics {
 
 /// What grains deposit, per volume of cell and filtered: the arrays of a batch, in this order.
 enum GrainSum : std::size_t {
-    sum_solid,                                                          ///< C [-]
-    sum_flux,                                                           ///< put(V v), three components [m/s]
-    sum_impulse = sum_flux + 3,                                         ///< put(J), three components [N s/m3]
-    sum_predictor = sum_impulse + 3,                                    ///< reaction, flux, added, added_flux
-    sum_projection = sum_predictor + 4,                                 ///< reaction, flux, displaced
-    grain_sums = sum_projection + 3
+    sum_solid,                             ///< C [-]
+    sum_flux,                              ///< put(V v), three components [m/s]
+    sum_impulse = sum_flux + 3,            ///< put(J), three components [N s/m3]
+    sum_predictor = sum_impulse + 3,       ///< reaction, flux
+    sum_projection = sum_predictor + 2,    ///< reaction, flux, displaced
+    sum_added = sum_projection + 3,        ///< added, added_flux of the predictor: zero without added mass
+    grain_sums = sum_added + 2
 };
 
-/// What grains sample before they move.
+/// What grains sample: columns of their tables, and arrays of the batches that hold them one after the other.
 enum GrainView : std::size_t {
-    view_velocity,                           ///< u^n [m/s]
-    view_force = view_velocity + 3,          ///< G^n = -grad p + div tau, without the drive [N/m3]
-    view_acceleration = view_force + 3,      ///< (Du/Dt)^n [m/s2]
-    view_vorticity = view_acceleration + 3,  ///< curl u^n [1/s]
+    view_velocity,                               ///< u, filtered [m/s]
+    view_pressure_force = view_velocity + 3,     ///< -grad p, filtered [N/m3]
+    view_acceleration = view_pressure_force + 3, ///< Du/Dt, filtered [m/s2]
+    state_views = view_acceleration + 3,
+    view_stress = state_views,      ///< div tau of u^n, filtered [N/m3]
+    view_vorticity = view_stress + 3, ///< curl u, of the cells: no force acts back through it [1/s]
     grain_views = view_vorticity + 3
 };
 
-/// What grains sample when the fluid has answered.
+/// What grains sample when the fluid has answered: the views of the new state, and
 enum GrainNews : std::size_t {
-    news_force,                            ///< G^{n+1} without the drive
-    news_force_change = news_force + 3,    ///< dG
-    news_predictor = news_force_change + 3, ///< du of the predictor
-    news_projection = news_predictor + 3,  ///< ru dG
-    news_miss = news_projection + 3,       ///< acceleration that the grains were not told, times dt
-    grain_news = news_miss + 3
+    news_projection = state_views, ///< ru dG, filtered [m/s]
+    grain_news = news_projection + 3
 };
 
 struct ExchangeFields {
@@ -44,7 +43,9 @@ struct ExchangeFields {
           ledger({"ledger", "N s/m3", 0, true}, mesh.own_cells()),
           fraction_before({"fluid fraction before", "1", 0, false}, mesh.own_cells()),
           gradient({"gradient for vorticity", "1/s", 0, false}, mesh.own_cells()),
-          sums({"sums over grains", "", 1, false}, mesh.own_cells()), views({"fluid for grains", "", 1, false}, mesh.own_cells()),
+          sums({"sums over grains", "", 1, false}, mesh.own_cells()), told({"told state", "", 1, false}, mesh.own_cells()),
+          stress({"viscous stress for grains", "N/m3", 1, false}, mesh.own_cells()),
+          vorticity({"vorticity for grains", "1/s", 1, false}, mesh.own_cells()),
           news({"answer for grains", "", 1, false}, mesh.own_cells()), advected({"advected velocity u^a", "m/s", 0, false}, mesh.own_cells()),
           miss({"untold change of velocity", "m/s", 0, false}, mesh.own_cells()),
           change({"predicted change of velocity", "m/s", 0, false}, mesh.own_cells()),
@@ -61,7 +62,8 @@ struct ExchangeFields {
     core::ScalarField fraction_before;
     core::VectorField gradient; ///< scratch of the vorticity
     core::FieldBatch<grain_sums> sums;
-    core::FieldBatch<grain_views> views;
+    core::FieldBatch<state_views> told; ///< filtered state that the grains are told: follows from the state, so no checkpoint has it
+    core::FieldBatch<3> stress, vorticity;
     core::FieldBatch<grain_news> news;
     core::VectorField advected; ///< u^a: advection and viscosity alone
     core::VectorField miss, change;
@@ -73,8 +75,7 @@ struct ExchangeFields {
 template <class Views>
 [[nodiscard]] GrainResponse predictor_sums(const Views& sums, int i, int j, int k)
 {
-    return {sums[sum_predictor](i, j, k), sums[sum_predictor + 1](i, j, k), 0.0, sums[sum_predictor + 2](i, j, k),
-            sums[sum_predictor + 3](i, j, k)};
+    return {sums[sum_predictor](i, j, k), sums[sum_predictor + 1](i, j, k), 0.0, sums[sum_added](i, j, k), sums[sum_added + 1](i, j, k)};
 }
 
 template <class Views>

@@ -70,7 +70,7 @@ void GrainExchange::load(core::ParticleSet& grains, const GrainTable& views, con
         const auto k = std::size_t(g);
         const double volume = volume_of(grains, g), diameter = 2.0 * grains.radius[k];
         const core::Vec3 velocity = grains.velocity_of(g), fluid = at(views, view_velocity, g), vorticity = at(views, view_vorticity, g);
-        const core::Vec3 force = at(views, view_force, g);
+        const core::Vec3 force = at(views, view_pressure_force, g) + at(views, view_stress, g);
         const double mass = added_mass(p.added_mass, p.fluid_density, volume);
         const core::Vec3 delivered = step.delivery * column(grains, columns_.owed, g);
         core::Vec3 known = (grains.mass[k] - p.fluid_density * volume) * p.gravity + volume * (force + p.fluid_density * drive) +
@@ -137,28 +137,29 @@ void GrainExchange::answer(const core::ParticleSet& grains, double dt, GrainTabl
         }
         deposits[sum_predictor][k] = p.reaction;
         deposits[sum_predictor + 1][k] = p.flux;
-        deposits[sum_predictor + 2][k] = p.added;
-        deposits[sum_predictor + 3][k] = p.added_flux;
         deposits[sum_projection][k] = q.reaction;
         deposits[sum_projection + 1][k] = q.flux;
         deposits[sum_projection + 2][k] = q.displaced;
+        deposits[sum_added][k] = p.added;
+        deposits[sum_added + 1][k] = p.added_flux;
     }
 }
 
-void GrainExchange::owe(core::ParticleSet& grains, const GrainTable& news, double dt) const
+void GrainExchange::owe(core::ParticleSet& grains, const GrainTable& told, const GrainTable& news, double dt) const
 {
     for (int g = 0; g < grains.owned; ++g) {
         const GrainCoupling coupling = coupling_of(grains, g, dt);
         const double hold = hold_of(grains, g);
         const GrainResponse p = grain_response(coupling, predictor_yield(hold));
         const GrainResponse q = grain_response(coupling, projection_yield(hold, coupling.drag / coupling.mass));
+        const auto change = [&](std::size_t view) -> core::Vec3 { return at(news, view, g) - at(told, view, g); };
+        const core::Vec3 force_new = at(news, view_pressure_force, g) + at(told, view_stress, g), velocity_change = change(view_velocity);
+        const core::Vec3 force_change = change(view_pressure_force), projection = at(news, news_projection, g);
+        const core::Vec3 predictor = velocity_change - projection, miss = dt * change(view_acceleration) - velocity_change;
         const core::Vec3 used = column(grains, columns_.force_used, g);
         core::Vec3 owed = column(grains, columns_.owed, g) - column(grains, columns_.delivered, g);
-        for (int a = 0; a < 3; ++a) {
-            const auto value = [&](std::size_t first) { return news[first + std::size_t(a)][std::size_t(g)]; };
-            owed[a] += owed_impulse({used[a], value(news_force), value(news_force_change), value(news_predictor), value(news_projection), value(news_miss)},
-                                   coupling.volume, p, q, dt);
-        }
+        for (int a = 0; a < 3; ++a)
+            owed[a] += owed_impulse({used[a], force_new[a], force_change[a], predictor[a], projection[a], miss[a]}, coupling.volume, p, q, dt);
         put(grains, columns_.owed, g, owed);
     }
 }

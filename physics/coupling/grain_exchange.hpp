@@ -54,13 +54,16 @@ public:
     /// Step 3: what each grain deposits; grain_sums columns.
     void answer(const core::ParticleSet& grains, double dt, GrainTable& deposits) const;
 
-    /// Step 6: what each grain is owed, with what has not been delivered.
-    /// @param news  grain_news columns sampled at the grains.
-    void owe(core::ParticleSet& grains, const GrainTable& news, double dt) const;
+    /// Step 6: what each grain is owed, with what has not been delivered. All columns are sampled at the new positions.
+    /// @param told  Of the views: what the step began with. Filter and sampling are linear: changes are differences of `news` and `told`.
+    /// @param news  grain_news columns.
+    void owe(core::ParticleSet& grains, const GrainTable& told, const GrainTable& news, double dt) const;
 
     /// K / m, K that of the last step [1/s].
     [[nodiscard]] double drag_rate(const core::ParticleSet& grains, int g) const;
     [[nodiscard]] static double volume(const core::ParticleSet& grains, int g);
+    /// Columns of `deposits`, and arrays of their sums, that are not zero throughout.
+    [[nodiscard]] std::size_t sums() const { return parameters_.added_mass > 0 ? grain_sums : sum_added; }
 
 private:
     [[nodiscard]] GrainCoupling coupling_of(const core::ParticleSet& grains, int g, double dt) const;

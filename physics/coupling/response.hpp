@@ -32,6 +32,8 @@
 //     flow stays uniform), and what its momentum rho (phi^{n+1} u^a - phi^n u^n) makes or loses is a line of the budget.
 //     In `coarse` and `concurrent`: put(J predicted - J real). With flux-form advection (test column): besides,
 //        L = rho phi^n u^n - dt div(F rho u) - rho phi^{n+1} u^a,  F the volume flux of the fluid at n   (conserved_ledger).
+// The filtered u, -grad p and Dudt of n+1 are made once: for 6, and kept for 2 of the next step. du, dG and miss at the grains
+// are differences of them, for filter and sampling are linear.
 // `iterated` repeats 2-6 from state n with u, Dudt and G of the last pass in place of those of state n: then r of step 4 has
 // rho phi (u^a - u_used), and miss = u_used - u^a - dt Dudt_used; K and what is owed stay those of state n. `coarse` takes
 // J, v, h in 3-5 from a DEM pass of longer sub-steps and phi^n; `concurrent` from free flight held back by h of the last

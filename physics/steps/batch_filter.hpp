@@ -9,13 +9,13 @@
 
 namespace physics {
 
-/// Filters all arrays of a batch, as many at a time as the filter takes.
+/// Filters the first `arrays` of a batch, as many at a time as the filter takes.
 template <std::size_t N>
-tasks::Job filter_batch(tasks::Lane& lane, Filter& filter, core::FieldBatch<N>& batch)
+tasks::Job filter_batch(tasks::Lane& lane, Filter& filter, core::FieldBatch<N>& batch, std::size_t arrays = N)
 {
     const int room = filter.room();
-    for (int first = 0; first < int(N); first += room) {
-        const int count = std::min(room, int(N) - first);
+    for (int first = 0; first < int(arrays); first += room) {
+        const int count = std::min(room, int(arrays) - first);
         for (int n = 0; n < count; ++n)
             filter.put(lane.team(), n, [&](core::LocalBlock b) { return core::View<const double>(batch.on(b)[std::size_t(first + n)]); });
         co_await run(lane, filter, count);

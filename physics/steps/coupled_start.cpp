@@ -4,7 +4,7 @@
 #include "physics/coupling/drag.hpp"
 #include "physics/fluid/cell_loops.hpp"
 #include "physics/steps/coupled_step.hpp"
-#include "physics/steps/filter_job.hpp"
+#include "physics/steps/batch_filter.hpp"
 #include <algorithm>
 
 namespace physics {
@@ -43,6 +43,19 @@ tasks::Job CoupledStep::initialise(tasks::Lane& lane)
     co_await sum_over_grains(lane, dynamics_, 0.0, places_.get(), fields_.sums);
     for (LocalBlock b = 0; b < mesh_.own_count(); ++b)
         map_cells(fields_.fraction.on(b), [](double c) { return 1.0 - c; }, fields_.sums.on(b)[sum_solid]);
+    co_await tell_state(lane);
+}
+
+tasks::Job CoupledStep::tell_state(tasks::Lane& lane)
+{
+    FluidState& state = fluid_.state();
+    co_await halos_.fill(lane, &state.pressure, 1);
+    for (LocalBlock b = 0; b < mesh_.own_count(); ++b) {
+        mirror_even(fluid_.walls()[std::size_t(b)], 1, state.pressure.on(b));
+        view_state(b, state.velocity.on(b), state.pressure.on(b), fields_.acceleration.on(b), fields_.told.on(b));
+    }
+    co_await filter_batch(lane, filter_, fields_.told);
+    co_await fill_for_sampling(lane, mesh_, plan_, fields_.told);
 }
 
 StabilityNumbers CoupledStep::stability(double dt) const

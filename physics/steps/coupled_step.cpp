@@ -8,6 +8,16 @@
 #include "physics/steps/grain_job.hpp"
 
 namespace physics {
+namespace {
+
+/// Three arrays of a batch, from `first` on.
+template <std::size_t N>
+core::VectorView<double> vector_of(const std::array<core::View<double>, N>& arrays, std::size_t first)
+{
+    return {arrays[first], arrays[first + 1], arrays[first + 2]};
+}
+
+} // namespace
 
 using core::LocalBlock, core::VectorView, core::View;
 using tasks::halo, tasks::reads, tasks::updates, tasks::writes;
@@ -16,7 +26,7 @@ using Vectors = VectorView<const double>;
 CoupledStep::CoupledStep(const core::Mesh& mesh, const core::Communicator& ranks, tasks::HaloFiller& halos, FluidStep& fluid,
                          ParticleDynamics& grains, ParticleStepper& stepper, const CouplingParameters& parameters)
     : mesh_(mesh), ranks_(ranks), fluid_(fluid), dynamics_(grains), stepper_(stepper), parameters_(parameters), locator_(mesh),
-      plan_(mesh, ranks, 1, 1, core::HaloShape::full), fields_(mesh),
+      halos_(halos), plan_(mesh, ranks, 1, 1, core::HaloShape::full), fields_(mesh),
       exchange_(parameters, add_wet_columns(grains.particles), add_exchange_columns(grains.particles)),
       pressure_({mesh, fluid.walls(), halos}, ranks, fluid.parameters().tolerances),
       filter_(make_mesh_links(mesh, ranks.rank(), BehindWalls::nothing).topology, {parameters.filter_width}),
@@ -28,6 +38,8 @@ CoupledStep::CoupledStep(const core::Mesh& mesh, const core::Communicator& ranks
     fields_.acceleration.allocate();
     fields_.ledger.allocate();
     fields_.sums.allocate();
+    fields_.told.allocate();
+    halos_.prepare(&fluid_.state().pressure, 1);
 }
 
 core::Vec3 CoupledStep::drive_of(const FluidClock& clock) const
@@ -48,24 +60,32 @@ void CoupledStep::declare(tasks::StageGraph& graph, Mode mode)
         } else declare_gradient(graph);
         {
             const auto lane = graph.lane("particles");
-            declare_views(graph);
-            if (pass == 0) declare_grain_load(graph);
-            else declare_restart_of_grains(graph);
+            declare_vorticity(graph);
+            if (pass == 0) {
+                declare_stress(graph);
+                declare_grain_load(graph);
+            } else declare_restart_of_grains(graph);
             declare_grain_sums(graph);
         }
-        const auto lane = graph.lane("fluid");
-        if (pass == 0) {
-            fluid_.declare_predictor(graph);
-            declare_advected(graph);
+        {
+            const auto lane = graph.lane("fluid");
+            if (pass == 0) {
+                fluid_.declare_predictor(graph);
+                declare_advected(graph);
+            }
+            declare_predictor(graph);
+            declare_volume_flux(graph);
+            declare_projection(graph);
+            declare_correction(graph);
         }
-        declare_predictor(graph);
-        declare_volume_flux(graph);
-        declare_projection(graph);
-        declare_correction(graph);
+        const auto lane = graph.lane("particles");
+        declare_answer(graph);
+        if (pass == passes - 1) {
+            declare_fraction(graph);
+            declare_owed(graph);
+        }
+        declare_told(graph);
     }
-    const auto lane = graph.lane("particles");
-    declare_fraction(graph);
-    declare_answer(graph);
 }
 
 /// Of the pressure that the last pass found.
@@ -78,40 +98,38 @@ void CoupledStep::declare_gradient(tasks::StageGraph& graph)
         reads(halo(fluid_.state().pressure, 1)), writes(fluid_.fields().pressure_gradient));
 }
 
-/// What the grains are told: state n, or what the last pass found.
-void CoupledStep::declare_views(tasks::StageGraph& graph)
+void CoupledStep::declare_stress(tasks::StageGraph& graph)
 {
+    if (!fluid_.viscosity_system()) return;
     auto& f = fields_;
-    auto& state = fluid_.state();
     graph.each_block(
-        "fluid for grains",
-        [this](LocalBlock b, Vectors u, View<const double> p, Vectors acceleration, VectorView<double> scratch,
-               std::array<View<double>, grain_views> views) {
-            const auto vector = [&](std::size_t first) { return VectorView<double>{views[first], views[first + 1], views[first + 2]}; };
-            map_components(vector(view_velocity), [](double x) { return x; }, u);
-            map_components(vector(view_acceleration), [](double x) { return x; }, acceleration);
-            gradient(geometry(b), geometry(b).gradient, p, vector(view_force));
-            map_components(vector(view_force), [](double x) { return -x; }, vector(view_force));
-            vorticity(geometry(b), u, scratch, vector(view_vorticity));
+        "viscous stress for grains",
+        [rho = parameters_.fluid_density](LocalBlock, Vectors viscous, std::array<View<double>, 3> stress) {
+            map_components(vector_of(stress, 0), [rho](double a) { return rho * a; }, viscous);
         },
-        reads(halo(state.velocity, 3), halo(state.pressure, 1), f.acceleration), writes(f.gradient, f.views));
-    if (fluid_.viscosity_system())
-        graph.each_block(
-            "viscous stress for grains",
-            [rho = parameters_.fluid_density](LocalBlock, Vectors viscous, std::array<View<double>, grain_views> views) {
-                for (int c = 0; c < 3; ++c) {
-                    const auto force = views[view_force + std::size_t(c)];
-                    map_cells(force, [rho](double g, double a) { return g + rho * a; }, force, viscous.component(c));
-                }
-            },
-            reads(fluid_.fields().viscous), updates(f.views));
+        reads(fluid_.fields().viscous), writes(f.stress));
     graph.whole(
-        "filter fluid for grains",
-        [this](tasks::Lane& lane, core::FieldBatch<grain_views>& views) -> tasks::Job {
-            co_await filter_batch(lane, filter_, views);
-            co_await fill_for_sampling(lane, mesh_, plan_, views);
+        "filter viscous stress for grains",
+        [this](tasks::Lane& lane, core::FieldBatch<3>& stress) -> tasks::Job {
+            co_await filter_batch(lane, filter_, stress);
+            co_await fill_for_sampling(lane, mesh_, plan_, stress);
         },
-        updates(f.views));
+        updates(f.stress));
+}
+
+void CoupledStep::declare_vorticity(tasks::StageGraph& graph)
+{
+    if (!parameters_.lift && !parameters_.torque) return;
+    auto& f = fields_;
+    graph.each_block(
+        "vorticity for grains",
+        [this](LocalBlock b, Vectors u, VectorView<double> scratch, std::array<View<double>, 3> curl) {
+            vorticity(geometry(b), u, scratch, vector_of(curl, 0));
+        },
+        reads(halo(fluid_.state().velocity, 3)), writes(f.gradient, f.vorticity));
+    graph.whole(
+        "halo of vorticity for grains",
+        [this](tasks::Lane& lane, core::FieldBatch<3>& curl) { return fill_for_sampling(lane, mesh_, plan_, curl); }, updates(f.vorticity));
 }
 
 void CoupledStep::declare_grain_load(tasks::StageGraph& graph)
@@ -119,16 +137,15 @@ void CoupledStep::declare_grain_load(tasks::StageGraph& graph)
     auto& f = fields_;
     graph.whole(
         "load grains",
-        [this](tasks::Lane& lane, const core::FieldBatch<grain_views>& views, const core::ScalarField& fraction, const FluidClock& clock,
-               const GrainPlaces& places, ParticleDynamics& grains) {
-            GrainTable table;
-            sample(lane.team(), places, std::size_t(grains.particles.owned), views, table);
+        [this](tasks::Lane& lane, const core::FieldBatch<state_views>& told, const core::FieldBatch<3>& stress, const core::FieldBatch<3>& vorticity,
+               const core::ScalarField& fraction, const FluidClock& clock, const GrainPlaces& places, ParticleDynamics& grains) {
+            const GrainTable table = sample(lane.team(), places, std::size_t(grains.particles.owned), told, stress, vorticity);
             std::vector<double> fractions(std::size_t(grains.particles.owned));
             for (LocalBlock b = 0; b < mesh_.own_count(); ++b) places.sample(b, fraction.on(b), fractions);
             exchange_.freeze_drag(grains.particles, table, fractions);
             exchange_.load(grains.particles, table, drive_of(clock), {clock.dt, grains.step(), 1.0 - clock.memory()});
         },
-        reads(f.views, halo(f.fraction, 1), clock_, places_), updates(grains_));
+        reads(f.told, f.stress, f.vorticity, halo(f.fraction, 1), clock_, places_), updates(grains_));
     graph.whole(
         "keep grains",
         [](tasks::Lane&, const ParticleDynamics& grains, GrainState& kept) { kept = {grains.particles, grains.history}; },
@@ -139,16 +156,15 @@ void CoupledStep::declare_restart_of_grains(tasks::StageGraph& graph)
 {
     graph.whole(
         "load grains again",
-        [this](tasks::Lane& lane, const core::FieldBatch<grain_views>& views, const FluidClock& clock, const GrainState& kept,
-               GrainPlaces& places, ParticleDynamics& grains) {
+        [this](tasks::Lane& lane, const core::FieldBatch<state_views>& told, const core::FieldBatch<3>& stress, const core::FieldBatch<3>& vorticity,
+               const FluidClock& clock, const GrainState& kept, GrainPlaces& places, ParticleDynamics& grains) {
             grains.particles = kept.particles;
             grains.history = kept.history;
             places.locate(mesh_, locator_, grains.domain(), grains.particles);
-            GrainTable table;
-            sample(lane.team(), places, std::size_t(grains.particles.owned), views, table);
+            const GrainTable table = sample(lane.team(), places, std::size_t(grains.particles.owned), told, stress, vorticity);
             exchange_.load(grains.particles, table, drive_of(clock), {clock.dt, grains.step(), 1.0 - clock.memory()});
         },
-        reads(fields_.views, clock_, kept_), updates(places_, grains_));
+        reads(fields_.told, fields_.stress, fields_.vorticity, clock_, kept_), updates(places_, grains_));
 }
 
 void CoupledStep::declare_grain_sums(tasks::StageGraph& graph)
@@ -186,47 +202,49 @@ tasks::Job CoupledStep::sum_over_grains(tasks::Lane& lane, const ParticleDynamic
     lane.team().run(mesh_.own_count(), [&](int b) {
         for (const auto& field : sums.on(b)) map_cells(field, [](double q, double volume) { return q / volume; }, field, geometry(b).volume.view());
     });
-    co_await filter_batch(lane, filter_, sums);
+    co_await filter_batch(lane, filter_, sums, exchange_.sums());
 }
 
-template <std::size_t N>
-void CoupledStep::sample(const core::Team& team, const GrainPlaces& places, std::size_t grains, const core::FieldBatch<N>& batch,
-                         GrainTable& table) const
+template <class... Batches>
+GrainTable CoupledStep::sample(const core::Team& team, const GrainPlaces& places, std::size_t grains, const Batches&... batches) const
 {
-    table.assign(N, std::vector<double>(grains));
+    GrainTable table((Batches::arrays + ...), std::vector<double>(grains));
     team.run(mesh_.own_count(), [&](int b) {
-        for (std::size_t a = 0; a < N; ++a) places.sample(b, batch.on(b)[a], table[a]);
+        std::size_t column = 0;
+        const auto add = [&](const auto& fields) {
+            for (const auto& field : fields) places.sample(b, field, table[column++]);
+        };
+        (add(batches.on(b)), ...);
     });
+    return table;
 }
 
+void CoupledStep::view_state(LocalBlock b, Vectors u, View<const double> p, Vectors acceleration, StateViews out) const
+{
+    const auto force = vector_of(out, view_pressure_force);
+    map_components(vector_of(out, view_velocity), [](double x) { return x; }, u);
+    gradient(geometry(b), geometry(b).gradient, p, force);
+    map_components(force, [](double x) { return -x; }, force);
+    map_components(vector_of(out, view_acceleration), [](double x) { return x; }, acceleration);
+}
+
+/// The new state as the grains see it.
 void CoupledStep::declare_answer(tasks::StageGraph& graph)
 {
     auto& f = fields_;
     auto& fluid = fluid_.fields();
+    auto& state = fluid_.state();
     graph.each_block(
         "answer for grains",
-        [](LocalBlock, Vectors gp, Vectors gradient, Vectors change, View<const double> response, Vectors miss,
-           std::array<View<double>, grain_news> news) {
-            for (int c = 0; c < 3; ++c) {
-                const auto a = std::size_t(c);
-                map_cells(news[news_force + a], [](double g, double d) { return -g - d; }, gp.component(c), gradient.component(c));
-                map_cells(news[news_force_change + a], [](double d) { return -d; }, gradient.component(c));
-                map_cells(news[news_predictor + a], [](double x) { return x; }, change.component(c));
-                map_cells(news[news_projection + a], [](double r, double d) { return -r * d; }, response, gradient.component(c));
-                map_cells(news[news_miss + a], [](double x) { return x; }, miss.component(c));
-            }
+        [this](LocalBlock b, Vectors u, View<const double> p, Vectors acceleration, View<const double> response, Vectors psi_gradient,
+               std::array<View<double>, grain_news> news) {
+            StateViews views;
+            std::copy_n(news.begin(), state_views, views.begin());
+            view_state(b, u, p, acceleration, views);
+            for (int c = 0; c < 3; ++c)
+                map_cells(news[news_projection + std::size_t(c)], [](double r, double g) { return -r * g; }, response, psi_gradient.component(c));
         },
-        reads(fluid.pressure_gradient, fluid.psi_gradient, f.change, f.response, f.miss), writes(f.news));
-    if (fluid_.viscosity_system())
-        graph.each_block(
-            "viscous answer for grains",
-            [rho = parameters_.fluid_density](LocalBlock, Vectors viscous, std::array<View<double>, grain_news> news) {
-                for (int c = 0; c < 3; ++c) {
-                    const auto force = news[news_force + std::size_t(c)];
-                    map_cells(force, [rho](double g, double a) { return g + rho * a; }, force, viscous.component(c));
-                }
-            },
-            reads(fluid.viscous), updates(f.news));
+        reads(state.velocity, halo(state.pressure, 1), f.acceleration, f.response, fluid.psi_gradient), writes(f.news));
     graph.whole(
         "filter answer for grains",
         [this](tasks::Lane& lane, core::FieldBatch<grain_news>& news) -> tasks::Job {
@@ -234,16 +252,33 @@ void CoupledStep::declare_answer(tasks::StageGraph& graph)
             co_await fill_for_sampling(lane, mesh_, plan_, news);
         },
         updates(f.news));
+}
+
+void CoupledStep::declare_owed(tasks::StageGraph& graph)
+{
+    auto& f = fields_;
     graph.whole(
         "owe grains",
-        [this](tasks::Lane& lane, const core::FieldBatch<grain_news>& news, const GrainPlaces& places, const FluidClock& clock,
-               ParticleDynamics& grains) {
-            GrainTable table;
-            sample(lane.team(), places, std::size_t(grains.particles.owned), news, table);
-            exchange_.owe(grains.particles, table, clock.dt);
+        [this](tasks::Lane& lane, const core::FieldBatch<state_views>& told, const core::FieldBatch<3>& stress,
+               const core::FieldBatch<grain_news>& news, const GrainPlaces& places, const FluidClock& clock, ParticleDynamics& grains) {
+            const auto count = std::size_t(grains.particles.owned);
+            exchange_.owe(grains.particles, sample(lane.team(), places, count, told, stress), sample(lane.team(), places, count, news), clock.dt);
         },
-        reads(f.news, places_, clock_), updates(grains_));
+        reads(f.told, f.stress, f.news, places_, clock_), updates(grains_));
     graph.sink(grains_);
+}
+
+/// What the next pass, or the next step, tells the grains.
+void CoupledStep::declare_told(tasks::StageGraph& graph)
+{
+    graph.whole(
+        "tell grains",
+        [this](tasks::Lane& lane, const core::FieldBatch<grain_news>& news, core::FieldBatch<state_views>& told) {
+            lane.team().run(mesh_.own_count(), [&](int b) {
+                for (std::size_t a = 0; a < state_views; ++a) told.data(b, a) = news.data(b, a);
+            });
+        },
+        reads(fields_.news), writes(fields_.told));
 }
 
 } // namespace physics

@@ -27,7 +27,8 @@ public:
     /// @param mode  `iterated` repeats the passes; any other waits for the grains once, as `pipelined`.
     /// @pre At the start of a step no rank has lists of neighbours (see grain_job.hpp): a repeated pass could not restore them.
     void declare(tasks::StageGraph& graph, Mode mode);
-    /// Finds the grains among the cells and sets the fluid fraction of the first step. Collective.
+    /// Finds the grains among the cells, sets the fluid fraction and what the grains are told: to be called whenever the state
+    /// was set from outside. Collective.
     [[nodiscard]] tasks::Job initialise(tasks::Lane& lane);
 
     [[nodiscard]] ExchangeFields& fields() { return fields_; }
@@ -42,7 +43,8 @@ public:
 private:
     void declare_boundaries(tasks::StageGraph& graph);
     void declare_gradient(tasks::StageGraph& graph);
-    void declare_views(tasks::StageGraph& graph);
+    void declare_stress(tasks::StageGraph& graph);
+    void declare_vorticity(tasks::StageGraph& graph);
     void declare_grain_load(tasks::StageGraph& graph);
     void declare_restart_of_grains(tasks::StageGraph& graph);
     void declare_grain_sums(tasks::StageGraph& graph);
@@ -54,12 +56,18 @@ private:
     void declare_correction(tasks::StageGraph& graph);
     void declare_fraction(tasks::StageGraph& graph);
     void declare_answer(tasks::StageGraph& graph);
+    void declare_owed(tasks::StageGraph& graph);
+    void declare_told(tasks::StageGraph& graph);
 
     [[nodiscard]] tasks::Job sum_over_grains(tasks::Lane& lane, const ParticleDynamics& grains, double dt, GrainPlaces& places,
                                              core::FieldBatch<grain_sums>& sums);
-    template <std::size_t N>
-    void sample(const core::Team& team, const GrainPlaces& places, std::size_t grains, const core::FieldBatch<N>& batch,
-                GrainTable& table) const;
+    tasks::Job tell_state(tasks::Lane& lane);
+    /// One column for each array of the batches.
+    template <class... Batches>
+    [[nodiscard]] GrainTable sample(const core::Team& team, const GrainPlaces& places, std::size_t grains, const Batches&... batches) const;
+    using StateViews = std::array<core::View<double>, state_views>;
+    /// The state as grains see it, before the filter.
+    void view_state(core::LocalBlock b, CellVectors u, core::View<const double> p, CellVectors acceleration, StateViews out) const;
     [[nodiscard]] core::Vec3 drive_of(const FluidClock& clock) const;
     [[nodiscard]] FluidOwn own(CellVectors velocity, CellVectors advected, CellVectors pressure_gradient, const FluidClock& clock) const;
     [[nodiscard]] const core::BlockGeometry& geometry(core::LocalBlock b) const { return mesh_.geometry(b); }
@@ -71,6 +79,7 @@ private:
     ParticleStepper& stepper_;
     CouplingParameters parameters_;
     core::Locator locator_;
+    tasks::HaloFiller& halos_;
     core::HaloExchange plan_;
     ExchangeFields fields_;
     GrainExchange exchange_;

@@ -141,10 +141,9 @@ TEST_CASE("one sphere settles as its equation of motion says")
                 auto& f = run.world().coupling()->fields();
                 for (auto* field : {&state.velocity, &state.velocity_before, &f.acceleration})
                     for (int c = 0; c < 3; ++c) core::for_each_cell(run.world().mesh().geometry(0).cells, [&](int i, int j, int k) { field->on(0).component(c)(i, j, k) = 0; });
-                core::for_each_cell(run.world().mesh().geometry(0).cells, [&](int i, int j, int k) {
-                    state.pressure.on(0)(i, j, k) = 0;
-                    f.fraction.on(0)(i, j, k) = 1;
-                });
+                core::for_each_cell(run.world().mesh().geometry(0).cells, [&](int i, int j, int k) { state.pressure.on(0)(i, j, k) = 0; });
+                tasks::run(run.world().ranks(), core::SerialTeam(), [&](tasks::Lane& lane) { return run.world().coupling()->initialise(lane); });
+                core::for_each_cell(run.world().mesh().geometry(0).cells, [&](int i, int j, int k) { f.fraction.on(0)(i, j, k) = 1; });
                 for (int a = 0; a < 3; ++a) run.grains().columns[std::size_t(run.world().coupling()->exchange().columns().owed + a)][0] = 0;
             }
             const int parts = 100;

@@ -4,6 +4,7 @@
 #include "core/base/error.hpp"
 #include "core/grid/annulus.hpp"
 #include "core/grid/bent_pipe.hpp"
+#include "core/grid/elliptic_grid.hpp"
 #include "core/grid/pipe.hpp"
 #include "core/grid/stepped_channel.hpp"
 #include "core/grid/wavy_box.hpp"
@@ -98,9 +99,7 @@ core::MultiBlock blocks_of(const SteppedChannelGrid& channel, const Grid& grid)
     return core::make_stepped_channel(c);
 }
 
-} // namespace
-
-core::MultiBlock make_blocks(const Grid& grid)
+core::MultiBlock blocks_of_shape(const Grid& grid)
 {
     if (grid.pipe) return blocks_of(*grid.pipe, grid.is_periodic(0));
     if (grid.box) return blocks_of(*grid.box, grid);
@@ -110,6 +109,39 @@ core::MultiBlock make_blocks(const Grid& grid)
     if (grid.stepped_channel) return blocks_of(*grid.stepped_channel, grid);
     core::require<core::ConfigError>(grid.blocks.has_value(), "the scene has no grid");
     return import_blocks(*grid.blocks, grid.periodic_axes());
+}
+
+core::EllipticGrid elliptic_of(const EllipticKeys& keys)
+{
+    core::EllipticGrid elliptic;
+    for (const SpacingKeys& s : keys.spacing) elliptic.spacings.push_back({s.boundary, s.first_cell, s.growth});
+    for (const AttractionKeys& a : keys.attract) elliptic.attractions.push_back({a.block, {{a.i, a.j, a.k}, a.strength, a.reach}});
+    elliptic.smoothed = keys.smooth;
+    elliptic.curvature = keys.curvature == CurvatureForm::spline ? core::Curvature::cubic_spline : core::Curvature::compact;
+    return elliptic;
+}
+
+/// @throws ConfigError naming the block where the control functions had to be weakened, so that no cell folds.
+void generate_inside(const EllipticKeys& keys, core::MultiBlock& blocks)
+{
+    constexpr double tolerance = 0.05; // of the height of first cells
+    const auto results = core::make_elliptic(blocks, elliptic_of(keys));
+    for (std::size_t b = 0; b < results.size(); ++b) {
+        const auto [iterations, move, share, error] = results[b];
+        core::require<core::ConfigError>(share == 1, core::text("block ", b, ": cells fold under what is asked in 'elliptic'; it holds with ", share,
+                                                                " of it: weaken attractions or spacings"));
+        core::require<core::ConfigError>(error < tolerance, core::text("block ", b, ": the first cells miss the height that is asked by ", 100 * error,
+                                                                       " %: ask for less growth, or take more cells"));
+    }
+}
+
+} // namespace
+
+core::MultiBlock make_blocks(const Grid& grid)
+{
+    core::MultiBlock blocks = blocks_of_shape(grid);
+    if (grid.elliptic) generate_inside(*grid.elliptic, blocks);
+    return blocks;
 }
 
 GridMeasure measured(const Grid& grid)

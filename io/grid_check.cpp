@@ -27,11 +27,12 @@ namespace {
         /// Makes the grid. What a generator or file complains of is a problem of the shape's key.
         void measure()
         {
-            if (grid_.is_primitive() || grid_.shape().empty() || !locations_.good("grid")) return;
+            if (!grid_.is_made() || grid_.shape().empty() || !locations_.good("grid")) return;
             try {
-                grid_.measure = measured(grid_);
+                const GridMeasure all = measured(grid_);
+                if (!grid_.is_primitive()) grid_.measure = all;
             } catch (const core::ConfigError& error) {
-                complain(fmt::format("grid.{}", grid_.shape()), error.what(), "");
+                complain(fmt::format("grid.{}", grid_.elliptic ? "elliptic" : grid_.shape()), error.what(), "");
                 locations_.spoil("grid");
             }
         }

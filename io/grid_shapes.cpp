@@ -5,6 +5,31 @@
 
 namespace io {
 
+void describe(Schema& s, SpacingKeys& p)
+{
+    s.required("boundary", p.boundary, "", "Name of the boundary, as `isago plan` lists it");
+    s.required("first_cell", p.first_cell, "m", "Height of the cells at the boundary", positive);
+    s.value("growth", p.growth, "1", "Largest ratio of one cell to the next; where walls curve, a little more if the height needs it", at_least(1.0));
+}
+
+void describe(Schema& s, AttractionKeys& p)
+{
+    s.value("block", p.block, "", "Number of the block", at_least(0));
+    s.value("i", p.i, "1", "Index of the vertex along i; without it, all along i", not_negative);
+    s.value("j", p.j, "1", "Index of the vertex along j; without it, all along j", not_negative);
+    s.value("k", p.k, "1", "Index of the vertex along k; without it, all along k", not_negative);
+    s.value("strength", p.strength, "1", "Logarithm of the growth of the cells next to the place; negative pushes lines away");
+    s.value("reach", p.reach, "1", "Cells over which the pull falls to 1/e", positive);
+}
+
+void describe(Schema& s, EllipticKeys& p)
+{
+    s.list("spacing", p.spacing, "Heights of the cells at boundaries");
+    s.list("attract", p.attract, "Places in index space that pull grid lines together: surfaces, lines and points");
+    s.value("smooth", "Names of plane boundaries whose own vertices are generated too", list_value(p.smooth, ""));
+    s.value("curvature", "spline: second order, as in Ushijima & Nezu (2001); compact: fourth order", choice_of(p.curvature, curvature_words));
+}
+
 void describe(Schema& s, WavyBoxGrid& p)
 {
     s.required("size", p.size, "m", "Lengths of the edges of the box before it is bent; one corner is the origin", positive);

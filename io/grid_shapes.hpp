@@ -6,6 +6,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace io {
@@ -75,6 +76,37 @@ struct ImportedGrid {
     bool operator==(const ImportedGrid&) const = default;
 };
 
+enum class CurvatureForm { spline, compact };
+inline constexpr std::array<std::string_view, 2> curvature_words{"spline", "compact"};
+
+/// Size of the cells at a boundary.
+struct SpacingKeys {
+    std::string boundary;
+    double first_cell = 0.0; ///< [m]
+    double growth = 1.2;
+    bool operator==(const SpacingKeys&) const = default;
+};
+
+/// A place in the index space of a block that pulls grid lines together.
+struct AttractionKeys {
+    int block = 0;
+    std::optional<double> i, j, k; ///< One: a surface, two: a line, three: a point.
+    double strength = 0.1, reach = 4.0;
+    bool operator==(const AttractionKeys&) const = default;
+};
+
+/// Elliptic generation of the insides of all blocks.
+struct EllipticKeys {
+    std::vector<SpacingKeys> spacing;
+    std::vector<AttractionKeys> attract;
+    std::vector<std::string> smooth;
+    CurvatureForm curvature = CurvatureForm::spline;
+    bool operator==(const EllipticKeys&) const = default;
+};
+
+void describe(Schema& s, SpacingKeys& p);
+void describe(Schema& s, AttractionKeys& p);
+void describe(Schema& s, EllipticKeys& p);
 void describe(Schema& s, WavyBoxGrid& p);
 void describe(Schema& s, AnnulusGrid& p);
 void describe(Schema& s, PipePieceGrid& p);

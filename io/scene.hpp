@@ -103,6 +103,7 @@ struct Grid {
     std::optional<BentPipeGrid> bent_pipe;
     std::optional<SteppedChannelGrid> stepped_channel;
     std::optional<ImportedGrid> blocks;
+    std::optional<EllipticKeys> elliptic;
     std::vector<Axis> periodic;         ///< `axial` is the axis of a pipe or annulus, the same as `x`.
     std::optional<GridMeasure> measure; ///< Of shapes other than the pipe and the box, once they have been made.
     bool operator==(const Grid&) const = default;
@@ -111,6 +112,8 @@ struct Grid {
     [[nodiscard]] std::array<bool, 3> periodic_axes() const { return {is_periodic(0), is_periodic(1), is_periodic(2)}; }
     /// Is it one whose walls are planes and a cylinder?
     [[nodiscard]] bool is_primitive() const { return pipe || box; }
+    /// Must it be made to know what is in it?
+    [[nodiscard]] bool is_made() const { return !is_primitive() || elliptic; }
     /// The key of the shape; empty if none is given.
     [[nodiscard]] std::string shape() const;
     /// The box around the domain [m].

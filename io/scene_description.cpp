@@ -48,6 +48,7 @@ static void describe(Schema& s, Grid& p)
     s.group("bent_pipe", p.bent_pipe, "A round pipe along straight pieces and arcs");
     s.group("stepped_channel", p.stepped_channel, "A channel whose floor steps down; with periodic ends, one with a trench");
     s.group("blocks", p.blocks, "Blocks from a file");
+    s.group("elliptic", p.elliptic, "Generate the insides of all blocks by a Poisson system, from what lies on their sides");
     s.value("periodic", "Axes along which the domain repeats", choices_of(p.periodic, axis_words));
 }
 

@@ -177,4 +177,27 @@ MetricGroup solid_metrics(World& world)
             }};
 }
 
+MetricGroup momentum_metrics(const MomentumLedger& ledger)
+{
+    std::vector<std::string> names;
+    const auto name = [&](const std::string& what) {
+        for (const char* axis : {"_x", "_y", "_z"}) names.push_back(what + axis);
+    };
+    for (const char* what : {"momentum", "fluid_momentum", "particle_momentum", "owed_momentum"}) name(what);
+    for (const auto& line : MomentumImpulses::outer_lines()) name(std::string("impulse_") + line.name);
+    for (const char* what : {"impulse_exchange", "angular_impulse_couple"}) name(what);
+    names.insert(names.end(), {"momentum_defect", "exchange_defect"});
+    return {names, [&ledger] {
+                std::vector<double> values;
+                const auto put = [&](const core::Vec3& x) { values.insert(values.end(), {x.x(), x.y(), x.z()}); };
+                const MomentumTotals& totals = ledger.totals();
+                for (const core::Vec3& x : {totals.sum(), totals.fluid, totals.grains, core::Vec3(totals.owed + totals.ledger)}) put(x);
+                for (const auto& line : MomentumImpulses::outer_lines()) put(ledger.impulses().*line.impulse);
+                put(ledger.impulses().given);
+                put(ledger.impulses().couple);
+                values.insert(values.end(), {ledger.defect(), ledger.exchange_defect()});
+                return values;
+            }};
+}
+
 } // namespace io

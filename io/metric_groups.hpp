@@ -20,4 +20,7 @@ namespace io {
 /// Volume of the solid in the cells [m3], its relative defect against the particles, largest solid fraction.
 [[nodiscard]] MetricGroup solid_metrics(World& world);
 
+/// Momentum, and the impulses of the last step, line by line [N s].
+[[nodiscard]] MetricGroup momentum_metrics(const MomentumLedger& ledger);
+
 } // namespace io

@@ -3,6 +3,7 @@
 #include "io/momentum_ledger.hpp"
 #include "io/exact_sums.hpp"
 #include "io/physics_builder.hpp"
+#include "physics/fluid/momentum_budget.hpp"
 #include <algorithm>
 #include <numbers>
 #include <numeric>
@@ -10,10 +11,19 @@
 namespace io {
 namespace {
 
-constexpr std::size_t cell_sums = 16, grain_sums = 20;
+/// Places of the sums over cells, and over grains: each but the last is the first of three.
+enum CellSum : std::size_t { of_fluid, of_ledger = 3, of_gradients = 6, of_advection = 9, of_share = 12, of_given = 15, of_push = 18,
+                             of_friction = 21, of_volume = 24, cell_sums = 25 };
+enum GrainSum : std::size_t { of_grains, of_owed = 3, of_contact = 6, of_taken = 9, of_couple = 12, of_mass = 15, of_solid = 16,
+                              grain_sums = 17 };
 
 /// Three neighbouring numbers.
 core::Vec3 vector_at(std::span<const double> values, std::size_t first) { return {values[first], values[first + 1], values[first + 2]}; }
+
+void add_vector(std::span<double> sum, std::size_t first, const core::Vec3& x)
+{
+    for (std::size_t a = 0; a < 3; ++a) sum[first + a] += x[int(a)];
+}
 
 core::Vec3 columns_at(const core::ParticleSet& grains, int first, std::size_t i)
 {
@@ -23,24 +33,38 @@ core::Vec3 columns_at(const core::ParticleSet& grains, int first, std::size_t i)
 
 } // namespace
 
+std::span<const MomentumImpulses::Line> MomentumImpulses::outer_lines()
+{
+    using M = MomentumImpulses;
+    static constexpr std::array<Line, 8> lines{{{"drive", &M::drive}, {"weight", &M::weight}, {"wall_contact", &M::contact},
+        {"wall_pressure", &M::wall_pressure}, {"wall_friction", &M::wall_friction}, {"advection_defect", &M::advection},
+        {"gradient_defect", &M::gradient}, {"viscous_share", &M::viscous_share}}};
+    return lines;
+}
+
+core::Vec3 MomentumImpulses::outer() const
+{
+    core::Vec3 sum = core::Vec3::Zero();
+    for (const Line& line : outer_lines()) sum += this->*line.impulse;
+    return sum;
+}
+
 /// Integrals over all cells: totals always, the rest only after a step.
 struct MomentumLedger::CellSums {
-    core::Vec3 fluid, ledger, wall_pressure, friction, given;
-    double volume; ///< of the fluid [m3]
+    std::array<double, cell_sums> values{};
+    [[nodiscard]] core::Vec3 operator[](CellSum first) const { return vector_at(values, first); }
 };
 
 struct MomentumLedger::GrainSums {
-    core::Vec3 momentum, owed, contact, taken;
-    core::Vec3 known;     ///< impulse of lift and of what was delivered
-    core::Vec3 delivered; ///< of what was owed before the step
-    double heavy, volume; ///< sum of m - rho V [kg], sum of V [m3]
+    std::vector<double> values;
+    [[nodiscard]] core::Vec3 operator[](GrainSum first) const { return vector_at(values, first); }
 };
 
 MomentumLedger::MomentumLedger(World& world) : world_(world)
 {
     const CellSums cells = sum_cells(false);
     const GrainSums grains = sum_grains(core::Vec3::Zero());
-    totals_ = {cells.fluid, cells.ledger, grains.momentum, grains.owed};
+    totals_ = {cells[of_fluid], cells[of_ledger], grains[of_grains], grains[of_owed]};
     remember_clock();
 }
 
@@ -48,88 +72,111 @@ void MomentumLedger::remember_clock()
 {
     time_ = world_.time();
     drive_ = world_.clock().drive;
+    implicit_ = world_.clock().implicit_share();
+}
+
+/// What the cells did in the last step.
+void MomentumLedger::sum_step(core::LocalBlock b, std::span<double> sum) const
+{
+    const auto& own = std::as_const(*world_.fluid()).fields();
+    const auto& f = std::as_const(world_.coupling()->fields());
+    const double rho = world_.fluid()->parameters().density, dt = world_.clock().dt;
+    const auto volume = world_.mesh().geometry(b).volume.view();
+    const auto phi = f.fraction.on(b), old_phi = f.fraction_before.on(b), response = f.response.on(b);
+    const auto before = std::as_const(world_.fluid()->state()).velocity_before.on(b), after_all = f.advected.on(b), source = own.source.on(b);
+    const auto advected = own.advected.on(b), miss = f.miss.on(b), change = f.change.on(b);
+    const auto old_gradient = own.pressure_gradient.on(b), new_gradient = own.psi_gradient.on(b);
+    const auto grains = f.sums.on(b);
+    const bool viscous = own.viscous.allocated();
+    core::for_each_cell(world_.mesh().geometry(b).cells, [&](int i, int j, int k) {
+        const double v = volume(i, j, k), solid = grains[physics::sum_solid](i, j, k);
+        const physics::GrainResponse p = physics::predictor_sums(grains, i, j, k), q = physics::projection_sums(grains, i, j, k);
+        for (int c = 0; c < 3; ++c) {
+            const auto n = std::size_t(c);
+            const auto at = [&](const auto& field) { return field.component(c)(i, j, k); };
+            const double force_change = -at(new_gradient), force = -at(old_gradient) + force_change;
+            const double stress = viscous ? rho * at(own.viscous.on(b)) : 0.0, moved = at(advected) - at(source);
+            sum[of_gradients + n] += v * dt * force;
+            sum[of_advection + n] += rho * v * (phi(i, j, k) * moved + (phi(i, j, k) - old_phi(i, j, k)) * at(before));
+            sum[of_share + n] += v * solid * (dt * stress - rho * (at(after_all) - at(before) - moved));
+            // Steps 4 and 5 of response.hpp, read from the fluid's side, and pressure and stress on the grains.
+            sum[of_given + n] += v * (grains[physics::sum_impulse + n](i, j, k) + p.added * at(miss) + p.reaction * at(change) -
+                                      dt * q.flux * force_change + q.reaction * response(i, j, k) * force_change +
+                                      dt * solid * (force + stress));
+        }
+    });
+}
+
+/// What the walls did in the last step.
+void MomentumLedger::sum_walls(core::LocalBlock b, std::span<double> sum) const
+{
+    const physics::FluidStep& fluid = *world_.fluid();
+    const auto& geometry = world_.mesh().geometry(b);
+    const auto& walls = fluid.walls()[std::size_t(b)];
+    const double dt = world_.clock().dt, viscosity = fluid.parameters().density * fluid.parameters().viscosity;
+    add_vector(sum, of_push, dt * physics::wall_push(geometry, walls, fluid.state().pressure.on(b)));
+    if (!fluid.viscosity_system()) return;
+    const core::Vec3 old_time = physics::wall_friction(geometry, walls, fluid.state().velocity_before.on(b));
+    const core::Vec3 new_time = physics::wall_friction(geometry, walls, fluid.fields().predicted.on(b));
+    add_vector(sum, of_friction, dt * viscosity * ((1 - implicit_) * old_time + implicit_ * new_time));
 }
 
 MomentumLedger::CellSums MomentumLedger::sum_cells(bool with_step) const
 {
     const core::Mesh& mesh = world_.mesh();
-    const auto& state = world_.fluid()->state();
-    const auto& own = world_.fluid()->fields();
     const auto& f = std::as_const(world_.coupling()->fields());
-    const double rho = world_.fluid()->parameters().density, dt = state.clock.dt;
+    const double rho = world_.fluid()->parameters().density;
     std::vector<double> parts(cell_sums * std::size_t(mesh.blocks()), 0.0);
     for (core::LocalBlock b = 0; b < mesh.own_count(); ++b) {
-        const std::span sum(parts.data() + cell_sums * std::size_t(mesh.global(b)), cell_sums);
+        const std::span sum(parts.data() + cell_sums * std::size_t(mesh.global(b)), std::size_t(cell_sums));
         const auto volume = mesh.geometry(b).volume.view();
         const auto phi = f.fraction.on(b);
-        const auto u = state.velocity.on(b), ledger = f.ledger.on(b);
+        const auto u = std::as_const(world_.fluid()->state()).velocity.on(b), ledger = f.ledger.on(b);
         core::for_each_cell(mesh.geometry(b).cells, [&](int i, int j, int k) {
             const double v = volume(i, j, k), mass = rho * v * phi(i, j, k);
-            sum[15] += v * phi(i, j, k);
+            sum[of_volume] += v * phi(i, j, k);
             for (int c = 0; c < 3; ++c) {
-                sum[std::size_t(c)] += mass * u.component(c)(i, j, k);
-                sum[3 + std::size_t(c)] += v * ledger.component(c)(i, j, k);
+                sum[of_fluid + std::size_t(c)] += mass * u.component(c)(i, j, k);
+                sum[of_ledger + std::size_t(c)] += v * ledger.component(c)(i, j, k);
             }
         });
         if (!with_step) continue;
-        const auto before = state.velocity_before.on(b), advected = f.advected.on(b), miss = f.miss.on(b), change = f.change.on(b);
-        const auto old_gradient = own.pressure_gradient.on(b), new_gradient = own.psi_gradient.on(b);
-        const auto old_phi = f.fraction_before.on(b), response = f.response.on(b);
-        const auto grains = f.sums.on(b);
-        const bool viscous = own.viscous.allocated();
-        core::for_each_cell(mesh.geometry(b).cells, [&](int i, int j, int k) {
-            const double v = volume(i, j, k);
-            const auto mass_of = [&](double fraction) { return rho * v * fraction; };
-            const physics::GrainResponse p = physics::predictor_sums(grains, i, j, k), q = physics::projection_sums(grains, i, j, k);
-            for (int c = 0; c < 3; ++c) {
-                const auto n = std::size_t(c);
-                const auto at = [&](const auto& field) { return field.component(c)(i, j, k); };
-                const double force_change = -at(new_gradient), force = -at(old_gradient) + force_change;
-                const double stress = viscous ? rho * at(own.viscous.on(b)) : 0.0;
-                sum[6 + n] += v * dt * force;
-                sum[9 + n] += mass_of(phi(i, j, k)) * at(advected) - mass_of(old_phi(i, j, k)) * at(before) +
-                              v * dt * grains[physics::sum_solid](i, j, k) * stress;
-                // Steps 4 and 5 of response.hpp, read from the fluid's side, and the pressure on the grains.
-                sum[12 + n] += v * (grains[physics::sum_impulse + n](i, j, k) + p.added * at(miss) + p.reaction * at(change) -
-                                    dt * q.flux * force_change + q.reaction * response(i, j, k) * force_change +
-                                    dt * grains[physics::sum_solid](i, j, k) * (force + stress));
-            }
-        });
+        sum_step(b, sum);
+        sum_walls(b, sum);
     }
     world_.ranks().sum(parts);
-    std::array<double, cell_sums> s{};
-    for (std::size_t n = 0; n < parts.size(); ++n) s[n % cell_sums] += parts[n];
-    return {vector_at(s, 0), vector_at(s, 3), vector_at(s, 6), vector_at(s, 9), vector_at(s, 12), s[15]};
+    CellSums total;
+    for (std::size_t n = 0; n < parts.size(); ++n) total.values[n % cell_sums] += parts[n];
+    return total;
 }
 
 MomentumLedger::GrainSums MomentumLedger::sum_grains(const core::Vec3& drive) const
 {
     const core::ParticleSet& grains = world_.grains()->particles;
     const physics::GrainExchange& exchange = world_.coupling()->exchange();
+    const auto& at = exchange.columns();
     const double rho = world_.fluid()->parameters().density, dt = world_.clock().dt;
     const core::Vec3 gravity = gravity_of(world_.scene());
     std::vector<std::vector<double>> columns(grain_sums);
-    const auto put = [&](std::size_t first, const core::Vec3& x) {
+    const auto put = [&](GrainSum first, const core::Vec3& x) {
         for (std::size_t a = 0; a < 3; ++a) columns[first + a].push_back(x[int(a)]);
     };
     for (std::size_t i = 0; i < std::size_t(grains.owned); ++i) {
         const double mass = grains.mass[i], radius = grains.radius[i];
         const double volume = 4.0 / 3.0 * std::numbers::pi * radius * radius * radius;
-        const core::Vec3 velocity = grains.velocity_of(int(i)), owed = columns_at(grains, exchange.columns().owed, i);
-        const core::Vec3 contact = columns_at(grains, exchange.wet_columns().impulse, i);
-        const core::Vec3 known = dt * columns_at(grains, exchange.columns().known_force, i);
-        const core::Vec3 pressure = dt * volume * columns_at(grains, exchange.columns().force_used, i);
-        put(0, mass * velocity);
-        put(3, owed);
-        put(6, contact);
-        put(9, mass * (velocity - columns_at(grains, exchange.columns().velocity_before, i)) - known - contact + pressure + owed);
-        put(12, known - pressure - dt * (mass - rho * volume) * gravity - dt * rho * volume * drive);
-        put(15, columns_at(grains, exchange.columns().delivered, i));
-        columns[18].push_back(mass - rho * volume);
-        columns[19].push_back(volume);
+        const core::Vec3 velocity = grains.velocity_of(int(i)), contact = columns_at(grains, exchange.wet_columns().impulse, i);
+        // All that is not contact, weight or drive is the fluid's.
+        const core::Vec3 outer = contact + dt * ((mass - rho * volume) * gravity + rho * volume * drive);
+        const core::Vec3 owed = columns_at(grains, at.owed, i);
+        put(of_grains, mass * velocity);
+        put(of_owed, owed);
+        put(of_contact, contact);
+        put(of_taken, mass * (velocity - columns_at(grains, at.velocity_before, i)) - outer + owed);
+        put(of_couple, exchange.couple(grains, int(i)));
+        columns[of_mass].push_back(mass - rho * volume);
+        columns[of_solid].push_back(volume);
     }
-    const auto s = exact_sums(world_.ranks(), columns);
-    return {vector_at(s, 0), vector_at(s, 3), vector_at(s, 6), vector_at(s, 9), vector_at(s, 12), vector_at(s, 15), s[18], s[19]};
+    return {exact_sums(world_.ranks(), columns)};
 }
 
 void MomentumLedger::update()
@@ -140,21 +187,27 @@ void MomentumLedger::update()
     const CellSums cells = sum_cells(true);
     const GrainSums grains = sum_grains(drive);
     const MomentumTotals before = totals_;
-    totals_ = {cells.fluid, cells.ledger, grains.momentum, grains.owed};
-    impulses_.drive = parameters.density * dt * (cells.volume + grains.volume) * drive;
-    impulses_.weight = dt * grains.heavy * gravity_of(world_.scene());
-    impulses_.contact = grains.contact;
-    impulses_.wall_pressure = cells.wall_pressure;
-    impulses_.friction = cells.friction;
-    impulses_.lift = grains.known - grains.delivered;
-    impulses_.given = cells.given;
-    impulses_.taken = grains.taken - (before.owed - grains.delivered);
-    double largest = std::max(impulses_.given.norm(), totals_.sum().norm());
-    for (const core::Vec3& x : {impulses_.drive, impulses_.weight, impulses_.contact, impulses_.wall_pressure, impulses_.friction})
-        largest = std::max(largest, x.norm());
-    const core::Vec3 unexplained = totals_.sum() - before.sum() - impulses_.outer();
-    defect_ = largest > 0 ? unexplained.norm() / largest : 0.0;
+    totals_ = {cells[of_fluid], cells[of_ledger], grains[of_grains], grains[of_owed]};
+    change_ = totals_.sum() - before.sum();
+    impulses_.drive = parameters.density * dt * (cells.values[of_volume] + grains.values[of_solid]) * drive;
+    impulses_.weight = dt * grains.values[of_mass] * gravity_of(world_.scene());
+    impulses_.contact = grains[of_contact];
+    impulses_.wall_pressure = cells[of_push];
+    impulses_.wall_friction = cells[of_friction];
+    impulses_.advection = cells[of_advection];
+    impulses_.gradient = cells[of_gradients] - cells[of_push];
+    impulses_.viscous_share = cells[of_share];
+    impulses_.given = cells[of_given];
+    impulses_.taken = grains[of_taken] - before.owed;
+    impulses_.couple = grains[of_couple];
     remember_clock();
+}
+
+double MomentumLedger::defect(const core::Vec3& explained) const
+{
+    double largest = std::max(impulses_.given.norm(), totals_.sum().norm());
+    for (const auto& line : MomentumImpulses::outer_lines()) largest = std::max(largest, (impulses_.*line.impulse).norm());
+    return largest > 0 ? (change_ - explained).norm() / largest : 0.0;
 }
 
 double MomentumLedger::exchange_defect() const

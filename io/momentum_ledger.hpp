@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The books of momentum of a coupled world: what fluid and grains have, what they are still owed, and which impulses of a
-// step explain the change.
+// step explain the change. Every line is measured by itself, none as what the others leave: what is unexplained in the end
+// is a true check of all of them.
 #include "io/world.hpp"
 
 namespace io {
@@ -18,15 +19,26 @@ struct MomentumTotals {
 
 /// Of the last step [N s].
 struct MomentumImpulses {
-    core::Vec3 drive = core::Vec3::Zero();         ///< on fluid and grains, by volume
-    core::Vec3 weight = core::Vec3::Zero();        ///< of the grains, less buoyancy
-    core::Vec3 contact = core::Vec3::Zero();       ///< of walls on grains: pairs cancel
-    core::Vec3 wall_pressure = core::Vec3::Zero();
-    core::Vec3 friction = core::Vec3::Zero();      ///< of walls on the fluid, and what the advection made or lost
-    core::Vec3 lift = core::Vec3::Zero();          ///< on grains; the model takes it from nobody
-    core::Vec3 given = core::Vec3::Zero();         ///< by the fluid to the grains
-    core::Vec3 taken = core::Vec3::Zero();         ///< by the grains, and owed to them
-    [[nodiscard]] core::Vec3 outer() const { return drive + weight + contact + wall_pressure + friction + lift; }
+    core::Vec3 drive = core::Vec3::Zero();          ///< on fluid and grains, by volume
+    core::Vec3 weight = core::Vec3::Zero();         ///< of the grains, less buoyancy
+    core::Vec3 contact = core::Vec3::Zero();        ///< of walls on grains: pairs cancel
+    core::Vec3 wall_pressure = core::Vec3::Zero();  ///< from the pressure beside the walls
+    core::Vec3 wall_friction = core::Vec3::Zero();  ///< from the viscous fluxes through the walls
+    core::Vec3 advection = core::Vec3::Zero();      ///< what interpolation at departure points made or lost, fluid content included
+    core::Vec3 gradient = core::Vec3::Zero();       ///< sum of the pressure gradients in cells beyond the walls' push: 0 on uniform grids
+    core::Vec3 viscous_share = core::Vec3::Zero();  ///< viscous stress on grains, that of the old time, beyond their share of the new one
+    core::Vec3 given = core::Vec3::Zero();          ///< by the fluid to the grains
+    core::Vec3 taken = core::Vec3::Zero();          ///< by the grains, and owed to them
+    /// Angular impulse of the fluid's torque on the grains [N m s]: the fluid does not lose it.
+    core::Vec3 couple = core::Vec3::Zero();
+
+    /// The lines that change the sum of momentum.
+    struct Line {
+        const char* name;
+        core::Vec3 MomentumImpulses::*impulse;
+    };
+    [[nodiscard]] static std::span<const Line> outer_lines();
+    [[nodiscard]] core::Vec3 outer() const;
 };
 
 class MomentumLedger {
@@ -38,8 +50,12 @@ public:
     void update();
     [[nodiscard]] const MomentumTotals& totals() const { return totals_; }
     [[nodiscard]] const MomentumImpulses& impulses() const { return impulses_; }
-    /// Change of all momentum in the last step that no impulse explains, over the largest of its terms.
-    [[nodiscard]] double defect() const { return defect_; }
+    /// Change of all momentum in the last step [N s].
+    [[nodiscard]] core::Vec3 change() const { return change_; }
+    /// What the lines leave of it, over the largest of its terms.
+    [[nodiscard]] double defect() const { return defect(impulses_.outer()); }
+    /// The same for another explanation.
+    [[nodiscard]] double defect(const core::Vec3& explained) const;
     /// |given - taken| over the larger of both, in the last step.
     [[nodiscard]] double exchange_defect() const;
 
@@ -47,15 +63,18 @@ private:
     struct CellSums;
     struct GrainSums;
     [[nodiscard]] CellSums sum_cells(bool with_step) const;
+    void sum_step(core::LocalBlock b, std::span<double> sum) const;
+    void sum_walls(core::LocalBlock b, std::span<double> sum) const;
     [[nodiscard]] GrainSums sum_grains(const core::Vec3& drive) const;
     void remember_clock();
 
     World& world_;
     MomentumTotals totals_;
     MomentumImpulses impulses_;
+    core::Vec3 change_ = core::Vec3::Zero();
     double time_ = 0.0; ///< at the start of the step to come
+    double implicit_ = 1.0; ///< its weight of the new time in the viscous term
     physics::DriveState drive_;
-    double defect_ = 0.0;
 };
 
 } // namespace io

@@ -56,11 +56,13 @@ std::string facts(const RunDirectory& run)
     return "<h2>Run</h2>\n<table>\n" + rows + "</table>\n";
 }
 
-/// Columns whose names begin alike up to the species share a plot.
+/// Columns that differ by the axis or the species alone share a plot.
 std::string plot_of(const std::string& column)
 {
-    for (const std::string group : {"mean_height_error_", "mean_height_", "momentum_defect", "momentum_"})
-        if (column.starts_with(group)) return group.ends_with('_') ? group.substr(0, group.size() - 1) : group;
+    for (const std::string axis : {"_x", "_y", "_z"})
+        if (column.ends_with(axis)) return column.substr(0, column.size() - axis.size());
+    for (const std::string group : {"mean_height_error_", "mean_height_"})
+        if (column.starts_with(group)) return group.substr(0, group.size() - 1);
     return column;
 }
 

@@ -15,11 +15,7 @@ WorldMetrics::WorldMetrics(World& world, const std::filesystem::path& file, std:
     if (world.grains()) groups_.push_back(particle_metrics(world));
     if (world.grains() && world.scene().gravity) groups_.push_back(height_metrics(world));
     if (world.coupling()) groups_.push_back(solid_metrics(world));
-    if (ledger_)
-        groups_.push_back({{"momentum_x", "momentum_y", "momentum_z", "momentum_defect", "exchange_defect"}, [this] {
-                               const core::Vec3 sum = ledger_->totals().sum();
-                               return std::vector<double>{sum.x(), sum.y(), sum.z(), ledger_->defect(), ledger_->exchange_defect()};
-                           }});
+    if (ledger_) groups_.push_back(momentum_metrics(*ledger_));
     on_rank_zero<core::FileError>(ranks_, [&] { writer_.emplace(file, names(), restart_time); });
 }
 

@@ -40,6 +40,7 @@ ExchangeColumns add_exchange_columns(core::ParticleSet& grains)
     c.owed = three();
     c.delivered = three();
     c.velocity_before = three();
+    c.spin_before = three();
     c.known_force = three();
     c.force_used = three();
     c.drag = grains.add_column();
@@ -73,14 +74,14 @@ void GrainExchange::load(core::ParticleSet& grains, const GrainTable& views, con
         const core::Vec3 force = at(views, view_pressure_force, g) + at(views, view_stress, g);
         const double mass = added_mass(p.added_mass, p.fluid_density, volume);
         const core::Vec3 delivered = step.delivery * column(grains, columns_.owed, g);
-        core::Vec3 known = (grains.mass[k] - p.fluid_density * volume) * p.gravity + volume * (force + p.fluid_density * drive) +
+        const core::Vec3 known = (grains.mass[k] - p.fluid_density * volume) * p.gravity + volume * (force + p.fluid_density * drive) +
                            delivered / step.dt;
         const SpinInput spin{fluid - velocity, vorticity, grains.spin_of(g), diameter, p.fluid_density, p.viscosity};
-        if (p.lift) known += magnus_lift(spin);
         WetLoad load;
         load.drag = grains.columns[std::size_t(columns_.drag)][k];
         load.added_mass = mass;
         load.force = known + mass * at(views, view_acceleration, g);
+        if (p.lift) load.force += magnus_lift(spin);
         load.fluid_velocity = fluid;
         if (p.torque) {
             load.fluid_spin = 0.5 * vorticity;
@@ -89,6 +90,7 @@ void GrainExchange::load(core::ParticleSet& grains, const GrainTable& views, con
         set_wet_load(grains, wet_, g, load, step.sub_step);
         put(grains, columns_.delivered, g, delivered);
         put(grains, columns_.velocity_before, g, velocity);
+        put(grains, columns_.spin_before, g, spin.spin);
         put(grains, columns_.known_force, g, known);
         put(grains, columns_.force_used, g, force);
         grains.columns[std::size_t(columns_.added_mass)][k] = mass;
@@ -108,6 +110,12 @@ double GrainExchange::drag_rate(const core::ParticleSet& grains, int g) const
 }
 
 double GrainExchange::volume(const core::ParticleSet& grains, int g) { return volume_of(grains, g); }
+
+core::Vec3 GrainExchange::couple(const core::ParticleSet& grains, int g) const
+{
+    const core::Vec3 gained = grains.inertia[std::size_t(g)] * (grains.spin_of(g) - column(grains, columns_.spin_before, g));
+    return gained - column(grains, wet_.twist, g);
+}
 
 double GrainExchange::hold_of(const core::ParticleSet& grains, int g) const
 {

@@ -16,7 +16,8 @@ struct ExchangeColumns {
     int owed;            ///< impulse still owed [N s]; the only one that is carried from step to step
     int delivered;       ///< what this step delivers of it [N s]
     int velocity_before; ///< [m/s]
-    int known_force;     ///< all that the sub-steps apply besides contact, drag and added mass [N]
+    int spin_before;     ///< [1/s]
+    int known_force;     ///< what the sub-steps apply and the fluid does not feel the reaction of: weight, pressure, what is owed [N]
     int force_used;      ///< B G^n [N/m3]
     int drag;            ///< one column: K [kg/s]
     int added_mass;      ///< one column [kg]
@@ -64,6 +65,8 @@ public:
     [[nodiscard]] static double volume(const core::ParticleSet& grains, int g);
     /// Columns of `deposits`, and arrays of their sums, that are not zero throughout.
     [[nodiscard]] std::size_t sums() const { return parameters_.added_mass > 0 ? grain_sums : sum_added; }
+    /// Angular impulse that the fluid's torque gave grain g in the last step [N m s]; the model takes it from nobody.
+    [[nodiscard]] core::Vec3 couple(const core::ParticleSet& grains, int g) const;
 
 private:
     [[nodiscard]] GrainCoupling coupling_of(const core::ParticleSet& grains, int g, double dt) const;

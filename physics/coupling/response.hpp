@@ -15,7 +15,8 @@
 //  1. Fluid lane, beside 2:  u^a = u^n advected and diffused, from state n alone.
 //  2. Grain lane (all DEM sub-steps): frozen B u^n, force f = V B G^n + (rho_p - rho) V g + owed / dt + a B Dudt^n and
 //     contacts; exact exponential drag with mass m + a. Record per grain the contact impulse I_c and
-//        J = m (v^{n+1} - v^n) - (f - a B Dudt) dt - I_c        the drag and added-mass impulse it really received.
+//        J = m (v^{n+1} - v^n) - (f - a B Dudt) dt - I_c        the impulse of drag, added mass and lift it really received
+//     (lift acts in the sub-steps beside f; the fluid feels its reaction through J).
 //  3. Hold h = contact_share(I_c, m (v^{n+1} - v^n) - I_c), per grain; q = 1 - h in the predictor,
 //     q = 1 - h b / (1 + b) in the projection, b = K dt / m. Move B to the positions n+1. Deposit (filtered):
 //        C, put(V v), put(J), and of response.hpp  predictor: reaction, flux, added, added_flux;

@@ -2,14 +2,52 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "physics/fluid/momentum_budget.hpp"
 #include "physics/fluid/cell_loops.hpp"
+#include "physics/fluid/face_flux.hpp"
 
 namespace physics {
+namespace {
+
+/// Calls body(side, cell inside, index of the face along the axis of the side) for every face on a wall.
+template <class Body>
+void for_each_wall_face(const core::BlockGeometry& geometry, const BlockWalls& walls, Body body)
+{
+    for (const core::Side side : core::all_sides)
+        if (walls.is_wall[std::size_t(side)])
+            for_each_side_face(geometry.cells, side, [&](int i, int j, int k) {
+                core::Index3 inside{i, j, k};
+                if (core::is_high(side)) --inside[core::axis_of(side)];
+                body(side, inside, core::Index3{i, j, k});
+            });
+}
+
+} // namespace
 
 core::Vec3 volume_sum(const core::BlockGeometry& geometry, core::VectorView<const double> q)
 {
     core::Vec3 sum;
     for (int c = 0; c < 3; ++c)
         sum[c] = sum_cells([](double v, double x) { return v * x; }, geometry.volume.view(), q.component(c));
+    return sum;
+}
+
+core::Vec3 wall_friction(const core::BlockGeometry& geometry, const BlockWalls& walls, core::VectorView<const double> velocity)
+{
+    core::Vec3 sum = core::Vec3::Zero();
+    for_each_wall_face(geometry, walls, [&](core::Side side, core::Index3 c, core::Index3 face) {
+        const auto n = std::size_t(side);
+        const core::Vec3 u(velocity.x[c], velocity.y[c], velocity.z[c]);
+        sum += geometry.face[std::size_t(core::axis_of(side))].transmissibility.view()[face] * (walls.velocity[n] - u);
+    });
+    return sum;
+}
+
+core::Vec3 wall_push(const core::BlockGeometry& geometry, const BlockWalls& walls, core::View<const double> pressure)
+{
+    core::Vec3 sum = core::Vec3::Zero();
+    for_each_wall_face(geometry, walls, [&](core::Side side, core::Index3 c, core::Index3 face) {
+        const core::Vec3 area = geometry.area(core::axis_of(side), face.i, face.j, face.k);
+        sum += (core::is_high(side) ? -pressure[c] : pressure[c]) * area;
+    });
     return sum;
 }
 

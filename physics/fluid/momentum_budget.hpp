@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Where the momentum of the fluid comes from and goes to in one step, per unit density.
-#include "core/grid/geometry.hpp"
+#include "physics/fluid/boundary.hpp"
 
 namespace physics {
 
@@ -11,12 +11,13 @@ struct MomentumBudget {
     core::Vec3 before = core::Vec3::Zero();    ///< at the start of the step
     core::Vec3 after = core::Vec3::Zero();     ///< at its end
     core::Vec3 advection = core::Vec3::Zero(); ///< what interpolation at departure points made or lost: zero in the exact equations
-    core::Vec3 viscosity = core::Vec3::Zero(); ///< friction on walls
-    core::Vec3 pressure = core::Vec3::Zero();  ///< pressure on walls
+    core::Vec3 viscosity = core::Vec3::Zero(); ///< friction on walls, from the fluxes through them
+    core::Vec3 pressure = core::Vec3::Zero();  ///< pressure on walls, from its values there
+    core::Vec3 gradient = core::Vec3::Zero();  ///< sum of the gradients in the cells beyond that: zero on uniform grids
     core::Vec3 drive = core::Vec3::Zero();
 
-    /// What no line explains: round-off.
-    [[nodiscard]] core::Vec3 defect() const { return after - before - advection - viscosity - pressure - drive; }
+    /// What no line explains: what the solver of the viscosity leaves.
+    [[nodiscard]] core::Vec3 defect() const { return after - before - advection - viscosity - pressure - gradient - drive; }
     MomentumBudget& operator+=(const MomentumBudget& b)
     {
         before += b.before;
@@ -24,6 +25,7 @@ struct MomentumBudget {
         advection += b.advection;
         viscosity += b.viscosity;
         pressure += b.pressure;
+        gradient += b.gradient;
         drive += b.drive;
         return *this;
     }
@@ -31,5 +33,11 @@ struct MomentumBudget {
 
 /// Sum of volume * q over the cells of a block.
 [[nodiscard]] core::Vec3 volume_sum(const core::BlockGeometry& geometry, core::VectorView<const double> q);
+
+/// Flux of grad u through the walls of a block into its cells; times density and viscosity, the friction on the fluid [m2/s].
+[[nodiscard]] core::Vec3 wall_friction(const core::BlockGeometry& geometry, const BlockWalls& walls, core::VectorView<const double> velocity);
+
+/// What the walls of a block push the fluid with, its pressure taken as that of the cells beside them [N].
+[[nodiscard]] core::Vec3 wall_push(const core::BlockGeometry& geometry, const BlockWalls& walls, core::View<const double> pressure);
 
 } // namespace physics

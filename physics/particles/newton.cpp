@@ -49,6 +49,7 @@ WetColumns add_wet_columns(core::ParticleSet& particles)
     c.spin_gain = particles.add_column();
     c.spin_drift = three();
     c.impulse = three();
+    c.twist = three();
     return c;
 }
 
@@ -70,10 +71,11 @@ void set_wet_load(core::ParticleSet& particles, const WetColumns& c, int i, cons
 
 void clear_impulses(core::ParticleSet& particles, const WetColumns& c)
 {
-    for (int a = 0; a < 3; ++a) {
-        auto& column = particles.columns[std::size_t(c.impulse + a)];
-        std::fill(column.begin(), column.end(), 0.0);
-    }
+    for (const int first : {c.impulse, c.twist})
+        for (int a = 0; a < 3; ++a) {
+            auto& column = particles.columns[std::size_t(first + a)];
+            std::fill(column.begin(), column.end(), 0.0);
+        }
 }
 
 double move_chunk(core::ParticleSet& p, const ForceSums& sums, const DryMotion& motion, const DriftTimes& times)
@@ -104,7 +106,7 @@ double move_chunk(core::ParticleSet& p, const ForceSums& sums, const WetMotion& 
     for (int a = 0; a < 3; ++a) {
         double *v = p.velocity[std::size_t(a)].data() + sums.begin, *w = p.spin[std::size_t(a)].data() + sums.begin;
         const double *drift = column(c.drift + a), *spin_drift = column(c.spin_drift + a);
-        double* impulse = column(c.impulse + a);
+        double *impulse = column(c.impulse + a), *twist = column(c.twist + a);
         const double *force = sums.force[std::size_t(a)].data(), *torque = sums.torque[std::size_t(a)].data();
         const double h = times.step;
 #pragma omp simd
@@ -112,6 +114,7 @@ double move_chunk(core::ParticleSet& p, const ForceSums& sums, const WetMotion& 
             v[k] = keep[k] * v[k] + drift[k] + gain[k] * force[k];
             w[k] = spin_keep[k] * w[k] + spin_drift[k] + spin_gain[k] * torque[k];
             impulse[k] += h * force[k];
+            twist[k] += h * torque[k];
         }
     }
     return drift_chunk(p, sums.begin, sums.end, times);

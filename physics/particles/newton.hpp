@@ -18,6 +18,7 @@ struct WetColumns {
     int keep, gain, drift;                ///< drift is the first of three columns.
     int spin_keep, spin_gain, spin_drift; ///< spin_drift is the first of three.
     int impulse;                          ///< First of three: sum of contact force times step [N s].
+    int twist;                            ///< First of three: sum of contact torque times step [N m s].
 };
 
 /// Contacts, a constant load on each particle, and drag with exact exponential decay.
@@ -41,7 +42,7 @@ struct WetLoad {
 /// Writes the coefficients of owned particle i for sub-steps of `step` [s]; exact for constant contact force, any drag.
 void set_wet_load(core::ParticleSet& particles, const WetColumns& columns, int i, const WetLoad& load, double step);
 
-/// Sets the recorded contact impulses to zero.
+/// Sets the recorded impulses and angular impulses of contacts to zero.
 void clear_impulses(core::ParticleSet& particles, const WetColumns& columns);
 
 /// Kick of the particles of `sums` and a drift of `drift` [s] after it, in two halves: `first_half` now, `second_half`

@@ -22,7 +22,6 @@ void FluidStep::declare_projection(tasks::StageGraph& graph)
                core::ScalarField& psi) { return pressure_system_.solve(lane, 1.0 - clock.memory(), outflow, throughput, psi); },
         reads(fields_.outflow, fields_.throughput, clock_), writes(fields_.psi));
     declare_correction(graph);
-    declare_budget(graph);
 }
 
 void FluidStep::declare_face_flux(tasks::StageGraph& graph)
@@ -87,6 +86,7 @@ void FluidStep::declare_correction(tasks::StageGraph& graph)
             map_components(u, [](double x, double gradient) { return x - gradient; }, predicted, g);
         },
         reads(f.predicted, f.psi_gradient), writes(state_.velocity));
+    declare_budget(graph); // of the pressure that has acted
     graph.each_block(
         "correct pressure",
         [this](LocalBlock b, View<const double> psi, View<const double> outflow, const FluidClock& clock, View<double> p) {
@@ -106,21 +106,21 @@ void FluidStep::declare_budget(tasks::StageGraph& graph)
     graph.each_block(
         "momentum budget",
         [this](LocalBlock b, Vectors u, Vectors before, Vectors source, Vectors advected, Vectors gp, Vectors predicted, Vectors psi_gradient,
-               const FluidClock& clock, MomentumBudget& budget) {
+               View<const double> pressure, View<const double> impulse, const FluidClock& clock, MomentumBudget& budget) {
             const auto sum = [&](Vectors q) { return volume_sum(geometry(b), q); };
-            const double dt = clock.dt, half = 0.5 * dt / parameters_.density;
-            const core::Vec3 gp_sum = sum(gp), source_sum = sum(source), advected_sum = sum(advected);
+            const double dt = clock.dt, per_density = dt / parameters_.density, implicit = clock.implicit_share();
             const double volume = sum_cells([](double v) { return v; }, geometry(b).volume.view());
             budget.before = sum(before);
             budget.after = sum(u);
-            budget.advection = advected_sum - source_sum;
+            budget.advection = sum(advected) - sum(source);
             budget.drive = dt * volume * mean_acceleration(parameters_.drive, clock.drive, clock.time, dt);
-            budget.pressure = -2 * half * gp_sum - sum(psi_gradient);
-            const core::Vec3 explicit_part = source_sum - budget.before + half * gp_sum;
-            const core::Vec3 implicit_part = sum(predicted) - (advected_sum + budget.drive - half * gp_sum);
-            budget.viscosity = explicit_part + implicit_part;
+            budget.pressure = per_density * wall_push(geometry(b), walls_of(b), pressure) + wall_push(geometry(b), walls_of(b), impulse);
+            budget.gradient = -per_density * sum(gp) - sum(psi_gradient) - budget.pressure;
+            budget.viscosity = dt * parameters_.viscosity * ((1 - implicit) * wall_friction(geometry(b), walls_of(b), before) +
+                                                             implicit * wall_friction(geometry(b), walls_of(b), predicted));
         },
-        reads(state_.velocity, state_.velocity_before, f.source, f.advected, f.pressure_gradient, f.predicted, f.psi_gradient, clock_),
+        reads(state_.velocity, state_.velocity_before, f.source, f.advected, f.pressure_gradient, f.predicted, f.psi_gradient,
+              state_.pressure, f.psi, clock_),
         writes(budget_));
     graph.sink(budget_, "budget");
 }

@@ -27,8 +27,8 @@ TEST_CASE("drive, walls and the defect of advection explain all change of moment
     for (int n = 0; n < 10; ++n) {
         run.step(0.05);
         const auto budget = run.budget();
-        // Sums over 3e3 cells in double precision.
-        CHECK(budget.defect().norm() < 1e-12 * momentum);
+        // Sums over 3e3 cells in double precision, and what the solver leaves of the viscous change.
+        CHECK(budget.defect().norm() < 1e-12 * momentum + 1e-8 * budget.viscosity.norm());
         CHECK(budget.drive.x() == doctest::Approx(0.05 * 0.5 * momentum));
         // The interpolation is of third order: at 12 cells across it loses less than half a percent of momentum in a step.
         CHECK(budget.advection.norm() < 5e-3 * momentum);
@@ -41,6 +41,7 @@ TEST_CASE("Poiseuille flow on 16 cells across has its flow rate within 1 % and f
 {
     physics::FluidParameters water;
     water.viscosity = 1;
+    water.tolerances.viscosity = 1e-12; // of terms that are 1e5 times the drive, as the step is 1e4 diffusion times
     water.drive = physics::ConstantDrive{core::Vec3(8, 0, 0)};
     test::FluidRun run(test::pipe_across(16, 2.0, 2, 1), water);
     for (int n = 0; n < 3; ++n) {
@@ -51,7 +52,7 @@ TEST_CASE("Poiseuille flow on 16 cells across has its flow rate within 1 % and f
     const double mean = run.mean([&](core::LocalBlock b, int i, int j, int k) { return run.velocity(b, i, j, k).x(); });
     CHECK(mean == doctest::Approx(1).epsilon(0.01));
     const auto budget = run.budget();
-    // The solver leaves 1e-8 of the viscous change; 1e4 s are 1e4 diffusion times.
+    // Friction is what goes through the walls; see the solver's tolerance above.
     CHECK(budget.viscosity.x() == doctest::Approx(-budget.drive.x()).epsilon(1e-6));
     MESSAGE("mean velocity ", mean, ", iterations ", run.fluid().viscosity_system()->iterations());
 }

@@ -53,7 +53,6 @@ std::vector<std::vector<double>> rows_of(const core::Communicator& ranks, const 
         // Rounding: sums of a few hundred cells and grains, relative to their largest term.
         CHECK(ledger.defect() < 1e-12);
         CHECK(ledger.exchange_defect() < 1e-12);
-        if (!with_lift) CHECK(ledger.impulses().lift.norm() < 1e-12 * ledger.impulses().weight.norm());
         pushed += ledger.impulses().drive.x();
         rows.push_back(metrics.row());
     }

@@ -4,6 +4,7 @@
 #include "core/base/error.hpp"
 #include "core/grid/hexahedron.hpp"
 #include "core/grid/topology.hpp"
+#include "core/grid/touching_sides.hpp"
 #include "io/plot3d.hpp"
 #include <algorithm>
 #include <charconv>
@@ -94,28 +95,46 @@ namespace {
             if (periodic[std::size_t(axis)]) grid.periods.push_back(length[axis] * Vec3::Unit(axis));
     }
 
-    /// Checks that exactly the sides that meet no other have names.
-    void check_names(core::MultiBlock grid, const std::map<SideKey, std::string>& names, const std::vector<bool>& is_turned, bool all_named)
+    /// "3.k_low", in the counting of the file.
+    [[nodiscard]] std::string file_side(BlockId block, Side side, const std::vector<bool>& is_turned)
+    {
+        const Side of_file = is_turned[std::size_t(block)] ? turned(side) : side;
+        return fmt::format("{}.{}", block, core::side_words[std::size_t(of_file)]);
+    }
+
+    /// @throws core::ConfigError with at most twenty of the findings.
+    void complain(const std::vector<std::string>& findings, const std::string& advice)
     {
         constexpr std::size_t most_shown = 20;
+        if (findings.empty()) return;
+        std::string text;
+        for (std::size_t n = 0; n < std::min(findings.size(), most_shown); ++n) text += (n > 0 ? "\n    " : "") + findings[n];
+        if (findings.size() > most_shown) text += fmt::format("\n    and {} more", findings.size() - most_shown);
+        throw ConfigError(fmt::format("{}\n    {}", text, advice));
+    }
+
+    /// Checks that exactly the sides that meet no other have names, and that none of them lies on another.
+    void check_sides(core::MultiBlock grid, const std::map<SideKey, std::string>& names, const std::vector<bool>& is_turned, bool all_named)
+    {
+        grid.boundary_name = [](BlockId, Side) { return std::string(); };
         const core::Topology topology = core::match_sides(grid);
-        std::vector<std::string> wrong;
+        std::vector<std::string> touching, wrong;
+        for (const core::TouchingSides& t : core::touching_sides(grid, topology))
+            touching.push_back(fmt::format("sides {} and {} lie on each other over {:.3g} % of the smaller one, but their points do not match",
+                                           file_side(t.a, t.side_a, is_turned), file_side(t.b, t.side_b, is_turned), 100 * t.share));
+        complain(touching, "the flow through such sides is not computed: give both the same points, cut the larger where the smaller ends, or "
+                           "raise 'tolerance' if they were meant to match");
         for (BlockId b = 0; b < BlockId(grid.blocks.size()); ++b)
             for (const Side side : core::all_sides) {
-                const Side of_file = is_turned[std::size_t(b)] ? turned(side) : side;
-                const auto word = core::side_words[std::size_t(of_file)];
-                const auto name = names.find({b, of_file});
+                const std::string word = file_side(b, side, is_turned);
+                const auto name = names.find({b, is_turned[std::size_t(b)] ? turned(side) : side});
                 const auto& beyond = topology.neighbour(b, side);
                 if (beyond && name != names.end())
-                    wrong.push_back(fmt::format("side {}.{} is in boundary '{}', but meets block {}", b, word, name->second, beyond->block));
+                    wrong.push_back(fmt::format("side {} is in boundary '{}', but meets block {}", word, name->second, beyond->block));
                 if (!beyond && name == names.end() && !all_named)
-                    wrong.push_back(fmt::format("side {}.{} meets no other and has no name: {}", b, word, place_of(grid, b, side)));
+                    wrong.push_back(fmt::format("side {} meets no other and has no name: {}", word, place_of(grid, b, side)));
             }
-        if (wrong.empty()) return;
-        std::string text;
-        for (std::size_t n = 0; n < std::min(wrong.size(), most_shown); ++n) text += (n > 0 ? "\n    " : "") + wrong[n];
-        if (wrong.size() > most_shown) text += fmt::format("\n    and {} more", wrong.size() - most_shown);
-        throw ConfigError(text + "\n    name sides in 'boundaries', or all that are left with 'other_sides'");
+        complain(wrong, "name sides in 'boundaries', or all that are left with 'other_sides'");
     }
 
 } // namespace
@@ -133,7 +152,7 @@ core::MultiBlock import_blocks(const ImportedGrid& grid, const std::array<bool, 
     }
     add_periods(result, grid.period, periodic);
     const auto names = names_of(grid, result.blocks.size());
-    check_names(result, names, is_turned, grid.other_sides.has_value());
+    check_sides(result, names, is_turned, grid.other_sides.has_value());
     result.boundary_name = [names, is_turned, other = grid.other_sides.value_or("")](BlockId block, Side side) {
         const auto found = names.find({block, is_turned[std::size_t(block)] ? turned(side) : side});
         return found == names.end() ? other : found->second;

@@ -206,6 +206,26 @@ TEST_CASE("every side that meets no other must be named, in the counting of the 
                          core::ConfigError);
 }
 
+TEST_CASE("sides that lie on each other without matching points are refused, both named")
+{
+    const TemporaryFolder folder;
+    const auto file = folder.path() / "grid.xyz";
+    const auto box = [](double low, double high, int across) {
+        return core::make_box({{low, 0, 0}, {high, 1, 1}, {4, across, 4}, {1, 1, 1}, {false, false, false}}).blocks.front();
+    };
+    write_file(file, as_text({box(0, 1, 4), oriented(box(1, 2, 6), 4)}));
+    CHECK_THROWS_WITH_AS(static_cast<void>(io::import_blocks(imported(file), {false, false, false})),
+                         doctest::Contains("sides 0.i_high and 1.i_low lie on each other over 100 % of the smaller one"), core::ConfigError);
+    // Through the period, too: here only the outer ends differ.
+    write_file(file, as_text({box(0, 1, 4), box(1, 2, 4), box(2, 3, 6)}));
+    CHECK_THROWS_WITH_AS(static_cast<void>(io::import_blocks(imported(file), {true, false, false})),
+                         doctest::Contains("sides 0.i_low and 2.i_high lie on each other"), core::ConfigError);
+    // A thin block has its own two sides close together, which is no fault.
+    const auto thin = core::make_box({{0, 0, 0}, {1, 1, 0.004}, {4, 5, 1}, {1, 1, 1}, {false, false, false}}).blocks.front();
+    write_file(file, as_text({thin}));
+    CHECK(io::import_blocks(imported(file), {false, false, false}).blocks.size() == 1);
+}
+
 TEST_CASE("a scene takes its blocks from a file beside it, and mistakes are told at the key")
 {
     const TemporaryFolder folder;
@@ -219,7 +239,7 @@ TEST_CASE("a scene takes its blocks from a file beside it, and mistakes are told
     write_file(folder.path() / "scene.yaml", test_scene::with("grid.xyz", "none.xyz", scene));
     CHECK_THROWS_WITH_AS(static_cast<void>(io::read_scene(folder.path())), doctest::Contains("scene.yaml:3:3: error:"), core::ConfigError);
     auto folded = two_boxes();
-    std::swap(folded.blocks[1](1, 1, 1), folded.blocks[1](0, 1, 1));
+    std::swap(folded.blocks[1](1, 1, 1), folded.blocks[1](1, 2, 1));
     write_file(folder.path() / "grid.xyz", as_text(folded.blocks));
     write_file(folder.path() / "scene.yaml", scene);
     CHECK_THROWS_WITH_AS(static_cast<void>(io::read_scene(folder.path())), doctest::Contains("of block 1 is folded"), core::ConfigError);

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// Sides that lie on each other without matching points.
+#include "core/grid/topology.hpp"
+
+namespace core {
+
+struct TouchingSides {
+    BlockId a = -1, b = -1;
+    Side side_a = Side::i_low, side_b = Side::i_low;
+    double share = 0; ///< of the smaller side that lies on the other
+};
+
+/// All pairs of boundary sides, in the domain or through a period, whose faces lie on each other with their blocks on opposite
+/// sides, though they did not match point by point.
+[[nodiscard]] std::vector<TouchingSides> touching_sides(const MultiBlock& grid, const Topology& topology);
+
+} // namespace core

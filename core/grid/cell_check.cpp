@@ -38,7 +38,7 @@ std::string collapsed_side(const Vertices& v, int axis, Index3 low, double small
 {
     const std::string cell = text("cell (", c.i, ", ", c.j, ", ", c.k, ") of block ", block);
     const double smallest = no_length * mean_edges(v, c).maxCoeff();
-    for_each_edge(v, c, [&](int axis, Index3 low, Index3) {
+    for_each_edge(c, [&](int axis, Index3 low, Index3) {
         if (has_length(v, axis, low, smallest)) return;
         throw ConfigError(text(cell, " has an edge of no length along ", "ijk"[axis], collapsed_side(v, axis, low, smallest),
                                "; surround such an axis or point with a core and wings instead"));

@@ -8,7 +8,7 @@ namespace core {
 
 /// Calls body(axis, low end, high end) for the twelve edges of a cell.
 template <class Body>
-void for_each_edge(const Vertices& v, Index3 c, Body body)
+void for_each_edge(Index3 c, Body body)
 {
     for (int axis = 0; axis < 3; ++axis)
         for_each({0, 0, 0}, {axis == 0 ? 1 : 2, axis == 1 ? 1 : 2, axis == 2 ? 1 : 2}, [&](int i, int j, int k) {
@@ -23,7 +23,7 @@ void for_each_edge(const Vertices& v, Index3 c, Body body)
 [[nodiscard]] inline Vec3 mean_edges(const Vertices& v, Index3 c)
 {
     Vec3 sum = Vec3::Zero();
-    for_each_edge(v, c, [&](int axis, Index3 low, Index3 high) { sum[axis] += (v.view()[high] - v.view()[low]).norm(); });
+    for_each_edge(c, [&](int axis, Index3 low, Index3 high) { sum[axis] += (v.view()[high] - v.view()[low]).norm(); });
     return sum / 4;
 }
 

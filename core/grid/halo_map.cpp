@@ -41,6 +41,47 @@ std::vector<HaloSource> unique(const std::vector<HaloSource>& all)
     return some;
 }
 
+/// Ways to a cell that all begin in `block`; none if each of them ends at a boundary.
+std::vector<HaloSource> ways_to(const Topology& topology, BlockId block, Index3 cell, int longest_walk)
+{
+    std::vector<HaloSource> found;
+    walk(topology, {block, cell, Vec3::Zero(), 1}, found, longest_walk);
+    return unique(found);
+}
+
+/// Beyond a re-entrant edge of the domain, such as the edge of a step, there is no cell, and no wall of this block that would
+/// mirror one: what lies there is continued linearly from beyond the two sides and from this block.
+std::vector<HaloSource> continued(const Topology& topology, BlockId block, Index3 cell, int longest_walk)
+{
+    const Extents n = topology.cells[std::size_t(block)];
+    std::vector<int> outside;
+    for (int m = 0; m < 3; ++m) {
+        if (layers_outside(cell[m], n[m]) == 0) continue;
+        if (!topology.neighbour(block, side_of(m, cell[m] >= 0))) return {};
+        outside.push_back(m);
+    }
+    const auto inward = [&](Index3 c, int m) {
+        c[m] = std::clamp(c[m], 0, n[m] - 1);
+        return c;
+    };
+    for (std::size_t first = 0; first < outside.size(); ++first)
+        for (std::size_t second = first + 1; second < outside.size(); ++second) {
+            const Index3 one = inward(cell, outside[first]), two = inward(cell, outside[second]), both = inward(one, outside[second]);
+            std::vector<HaloSource> all;
+            bool complete = true;
+            for (const auto& [at, sign] : {std::pair(one, 1.0), std::pair(two, 1.0), std::pair(both, -1.0)}) {
+                const auto ways = ways_to(topology, block, at, longest_walk);
+                complete = complete && !ways.empty();
+                for (HaloSource s : ways) {
+                    s.weight *= sign;
+                    all.push_back(s);
+                }
+            }
+            if (complete) return all;
+        }
+    return {};
+}
+
 } // namespace
 
 std::vector<HaloRow> halo_rows(const Topology& topology, BlockId block, int width, HaloShape shape)
@@ -51,9 +92,9 @@ std::vector<HaloRow> halo_rows(const Topology& topology, BlockId block, int widt
     for_each({-width, -width, -width}, {n.ni + width, n.nj + width, n.nk + width}, [&](int i, int j, int k) {
         const int outside = (layers_outside(i, n.ni) > 0) + (layers_outside(j, n.nj) > 0) + (layers_outside(k, n.nk) > 0);
         if (outside == 0 || (shape == HaloShape::faces && outside > 1)) return;
-        std::vector<HaloSource> found;
-        walk(topology, {block, {i, j, k}, Vec3::Zero(), 1}, found, longest_walk);
-        if (!found.empty()) rows.push_back({{i, j, k}, unique(found)});
+        auto sources = ways_to(topology, block, {i, j, k}, longest_walk);
+        if (sources.empty() && outside > 1) sources = continued(topology, block, {i, j, k}, longest_walk);
+        if (!sources.empty()) rows.push_back({{i, j, k}, sources});
     });
     return rows;
 }

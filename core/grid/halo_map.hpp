@@ -15,7 +15,8 @@ struct HaloSource {
 };
 
 /// The sources of one halo cell. One source as a rule; round a singular edge of the grid (where three or five blocks
-/// meet) the different ways round are averaged; none beyond a boundary.
+/// meet) the different ways round are averaged; beyond a re-entrant edge of the domain it is continued linearly, with weights
+/// 1, 1 and -1; none beyond a boundary.
 struct HaloRow {
     Index3 cell;
     std::vector<HaloSource> sources;

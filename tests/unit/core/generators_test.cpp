@@ -126,3 +126,19 @@ TEST_CASE("a stepped channel has a step and, with periodic ends, a trench")
     CHECK(count(trench, "x_high") == 1); // the other wall of the trench
     CHECK(count(trench, "z_low") == 0);
 }
+
+TEST_CASE("beyond the edge of a step the halo goes on linearly")
+{
+    const Mesh mesh(core::make_stepped_channel({}), 0, 1);
+    // Block 2 lies behind the shallow part and above the deep one: around the edge of the step it has no cells.
+    const auto rows = core::halo_rows(mesh.topology(), 2, 3, core::HaloShape::full);
+    const auto row = std::find_if(rows.begin(), rows.end(), [](const core::HaloRow& r) { return r.cell == core::Index3{-2, -3, 4}; });
+    REQUIRE(row != rows.end());
+    REQUIRE(row->sources.size() == 3);
+    double weight = 0;
+    for (const auto& s : row->sources) weight += s.weight;
+    CHECK(weight == 1);
+    const auto& g = mesh.geometry(2);
+    CHECK((g.centre(-2, -3, 4) - (g.centre(-2, 0, 4) + g.centre(0, -3, 4) - g.centre(0, 0, 4))).norm() < 1e-15);
+    CHECK(g.near_singular(0, 0, 4) == 1);
+}

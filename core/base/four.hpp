@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Four doubles that are worked on together: records of particles and contacts, turned into columns and back.
+// Four doubles that are worked on together: records of particles and contacts, turned into columns and back. The functions
+// that take a double as well let one formula serve both.
+#include <cmath>
 #include <cstring>
 
 namespace core {
@@ -16,6 +18,13 @@ using Four = double __attribute__((vector_size(32)));
 }
 
 inline void store_four(double* to, const Four& value) { std::memcpy(to, &value, sizeof(Four)); }
+
+[[nodiscard]] inline Four lesser(const Four& a, const Four& b) { return a < b ? a : b; }
+[[nodiscard]] inline Four greater(const Four& a, const Four& b) { return a > b ? a : b; }
+[[nodiscard]] inline Four square_root(const Four& a) { return Four{std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3])}; }
+[[nodiscard]] inline double lesser(double a, double b) { return a < b ? a : b; }
+[[nodiscard]] inline double greater(double a, double b) { return a > b ? a : b; }
+[[nodiscard]] inline double square_root(double a) { return std::sqrt(a); }
 
 /// Four rows of four become four columns.
 inline void transpose(Four& a, Four& b, Four& c, Four& d)

@@ -78,7 +78,7 @@ bool ParticleDynamics::keep_lists(double greatest_displacement)
 void ParticleDynamics::dissolve(const core::Team& team)
 {
     if (built_) {
-        near_.return_springs(pairs_, team);
+        return_springs(team);
         history = core::ContactHistory{};
         for (int i = 0; i < particles.owned; ++i) {
             pairs_.append_row(particles, i, history);
@@ -126,8 +126,8 @@ void ParticleDynamics::build(const core::Team& team)
 {
     cells_.build(particles, lattice_);
     pairs_.build(particles, cells_, skin_, history, team);
-    walls_.build(particles, skin_, history);
-    if (!surface_.empty()) surface_.build(particles, 0.5 * skin_, history); // walls do not come closer themselves
+    walls_.build(particles, 0.5 * skin_, history); // walls do not come closer themselves
+    if (!surface_.empty()) surface_.build(particles, 0.5 * skin_, 0.5 * near_skin_, history);
     forces_.resize(index_of(pairs_.size()));
     records_.resize(particles.size());
     records_.update(particles, 0, particles.size());
@@ -139,11 +139,19 @@ void ParticleDynamics::build(const core::Team& team)
     planned_threads_ = 0;
 }
 
+void ParticleDynamics::return_springs(const core::Team& team)
+{
+    if (!near_built_) return;
+    near_.return_springs(pairs_, team);
+    walls_.return_springs();
+}
+
 void ParticleDynamics::refresh_near(const core::Team& team)
 {
-    if (near_built_) near_.return_springs(pairs_, team);
+    return_springs(team);
     near_.refresh(particles, pairs_, shifts_, near_skin_, team);
-    if (!surface_.empty()) surface_.refresh(particles, 0.5 * near_skin_, team);
+    walls_.refresh(particles, 0.5 * near_skin_, team); // walls do not come closer themselves
+    if (!surface_.empty()) surface_.refresh(particles, team);
     near_built_ = true;
     near_travelled_ = 0.0;
 }

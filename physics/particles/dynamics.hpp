@@ -65,6 +65,7 @@ public:
     [[nodiscard]] const core::PairList& pairs() const { return pairs_; }
 
 private:
+    void return_springs(const core::Team& team);
     void refresh_near(const core::Team& team);
     void plan_segments(int threads);
     void sum_chunk(int chunk, ForceSums& sums);

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #include "physics/particles/surface_contacts.hpp"
-#include "physics/particles/wall_force.hpp"
 
 #include <algorithm>
 
@@ -13,58 +12,11 @@ using core::Vec3;
 constexpr double same_contact = 0.9848;     // cosine of 10 degrees: two hits are one contact
 constexpr double same_friction = 0.7071;    // cosine of 45 degrees: a contact goes on
 constexpr std::int64_t first_feature = 1 << 20; // analytic walls have lower numbers
-constexpr int block_size = 32;
-
 constexpr auto index_of(int i) { return std::size_t(i); }
 
-/// The patches of some pairs side by side.
-struct alignas(64) PatchBlock {
-    double value[WallPatch::size][block_size];
-
-    [[nodiscard]] double operator()(int n, int k) const { return value[n][k]; }
-
-    /// Reads `count` patches; the places up to the next multiple of four repeat the last one.
-    void read(const WallPatch* patches, const int* triangle, int count)
-    {
-        for (int k = 0; k < count; k += 4) {
-            const double* from[4];
-            for (int lane = 0; lane < 4; ++lane) from[lane] = patches[triangle[std::min(k + lane, count - 1)]].value.data();
-            for (int n = 0; n < WallPatch::size; n += 4) {
-                core::Four rows[4];
-                for (int lane = 0; lane < 4; ++lane) rows[lane] = core::load_four(from[lane] + n);
-                core::transpose(rows[0], rows[1], rows[2], rows[3]);
-                for (int lane = 0; lane < 4; ++lane) core::store_four(value[n + lane] + k, rows[lane]);
-            }
-        }
-    }
-};
-
-/// Feet of some pairs side by side.
-struct alignas(64) FootLanes {
-    using Lane = double[block_size];
-    Lane x, y, z, wx, wy, wz; ///< Centre; its way in the last half step [m].
-    Lane one, two, nx, ny, nz, depth, bx, by, bz;
-};
-
-void evaluate_feet(const PatchBlock& block, int count, FootLanes& lanes)
+core::Four gather(const core::Column& column, const std::array<int, 4>& i)
 {
-#pragma omp simd
-    for (int k = 0; k < count; ++k) {
-        const PatchPoint centre = patch_point(block, k, lanes.x[k], lanes.y[k], lanes.z[k]);
-        const PatchPoint way = patch_way(block, k, lanes.wx[k], lanes.wy[k], lanes.wz[k]);
-        const PatchPoint earlier{centre.one - way.one, centre.two - way.two, centre.height - way.height};
-        const PatchFoot now = find_foot(block, k, centre);
-        const PatchFoot before = patch_foot(block, k, earlier, improve_foot(block, k, earlier, {now.one, now.two}));
-        lanes.one[k] = now.one;
-        lanes.two[k] = now.two;
-        lanes.nx[k] = now.nx;
-        lanes.ny[k] = now.ny;
-        lanes.nz[k] = now.nz;
-        lanes.depth[k] = now.depth;
-        lanes.bx[k] = before.nx;
-        lanes.by[k] = before.ny;
-        lanes.bz[k] = before.nz;
-    }
+    return core::Four{column[index_of(i[0])], column[index_of(i[1])], column[index_of(i[2])], column[index_of(i[3])]};
 }
 
 core::Spring spring_of(const Vec3& v) { return {v[0], v[1], v[2]}; }
@@ -89,8 +41,10 @@ Vec3 take_spring(Iterator first, Iterator last, const Vec3& normal)
 
 } // namespace
 
-void SurfaceContacts::build(const core::ParticleSet& particles, double skin, const core::ContactHistory& history)
+void SurfaceContacts::build(const core::ParticleSet& particles, double skin, double near_skin,
+                            const core::ContactHistory& history)
 {
+    near_skin_ = near_skin;
     chunks_.resize(index_of((particles.owned + core::particles_per_chunk - 1) / core::particles_per_chunk));
     std::vector<int> found;
     for (int i = 0; i < particles.owned; ++i) {
@@ -107,20 +61,44 @@ void SurfaceContacts::build(const core::ParticleSet& particles, double skin, con
             chunk.contacts.push_back({i, vector_of(history.find(i, core::wall_key(k + 1))), spring});
         }
     }
+    for (auto& chunk : chunks_) make_filters(particles, chunk);
 }
 
-void SurfaceContacts::refresh(const core::ParticleSet& particles, double skin, const core::Team& team)
+void SurfaceContacts::make_filters(const core::ParticleSet& particles, Chunk& chunk) const
+{
+    const Pairs& listed = chunk.listed;
+    chunk.filters.resize(index_of((listed.size() + 3) / 4));
+    for (int begin = 0; begin < listed.size(); begin += 4) {
+        const auto i = listed.particles_from(begin), triangle = listed.triangles_from(begin);
+        for (std::size_t lane = 0; lane < 4; ++lane)
+            chunk.filters[index_of(begin / 4)].set(
+                int(lane), surface_.bounds(triangle[lane], particles.radius[index_of(i[lane])], near_skin_));
+    }
+}
+
+void SurfaceContacts::choose_near(const core::ParticleSet& p, Chunk& chunk) const
+{
+    const Pairs& listed = chunk.listed;
+    chunk.near.particle.clear();
+    chunk.near.triangle.clear();
+    for (int begin = 0; begin < listed.size(); begin += 4) {
+        const auto i = listed.particles_from(begin);
+        const auto& x = p.position;
+        const auto inside = chunk.filters[index_of(begin / 4)](gather(x[0], i), gather(x[1], i), gather(x[2], i));
+        for (int m = begin; m < std::min(begin + 4, listed.size()); ++m) {
+            if (!inside[m - begin]) continue;
+            const int particle = listed.particle[index_of(m)], t = listed.triangle[index_of(m)];
+            if (surface_.plain(t) || surface_.near(t, p.position_of(particle), p.radius[index_of(particle)], near_skin_))
+                chunk.near.add(particle, t);
+        }
+    }
+}
+
+void SurfaceContacts::refresh(const core::ParticleSet& particles, const core::Team& team)
 {
     team.run(int(chunks_.size()), [&](int c) {
-        auto& chunk = chunks_[index_of(c)];
-        const Pairs& listed = chunk.listed;
-        chunk.near.particle.clear();
-        chunk.near.triangle.clear();
-        for (std::size_t m = 0; m < listed.particle.size(); ++m) {
-            const int i = listed.particle[m], t = listed.triangle[m];
-            if (surface_.near(t, particles.position_of(i), particles.radius[index_of(i)], skin)) chunk.near.add(i, t);
-        }
-        chunk.feet.resize(chunk.near.particle.size());
+        choose_near(particles, chunks_[index_of(c)]);
+        gather_patches(chunks_[index_of(c)]);
     });
 }
 
@@ -139,101 +117,125 @@ void SurfaceContacts::append_row(int i, core::ContactHistory& history) const
     }
 }
 
+FourPatches SurfaceContacts::patches_of(const Pairs& pairs, int begin) const
+{
+    FourPatches patches;
+    patches.read(surface_.patches().data(), pairs.triangles_from(begin));
+    return patches;
+}
+
+/// So that the steps until the next refresh read them one after the other.
+void SurfaceContacts::gather_patches(Chunk& chunk) const
+{
+    const int pairs = chunk.near.size();
+    chunk.patches.resize(index_of((pairs + 3) / 4));
+    chunk.feet.resize(chunk.patches.size());
+    chunk.plain.resize(index_of(pairs));
+    for (int begin = 0; begin < pairs; begin += 4) chunk.patches[index_of(begin / 4)] = patches_of(chunk.near, begin);
+    for (int m = 0; m < pairs; ++m) chunk.plain[index_of(m)] = surface_.plain(chunk.near.triangle[index_of(m)]);
+}
+
 void SurfaceContacts::find_feet(const core::ParticleSet& p, double half_step, Chunk& chunk) const
 {
-    const ParticleColumns columns(p);
-    const int pairs = chunk.near.size();
-    PatchBlock block;
-    FootLanes lanes;
-    for (int begin = 0; begin < pairs; begin += block_size) {
-        const int count = std::min(block_size, pairs - begin);
-        const int* particle = chunk.near.particle.data() + begin;
-        Foot* feet = chunk.feet.data() + begin;
-        block.read(surface_.patches().data(), chunk.near.triangle.data() + begin, count);
-        for (int k = 0; k < count; ++k) {
-            const auto i = index_of(particle[k]);
-            lanes.x[k] = columns.x[i];
-            lanes.y[k] = columns.y[i];
-            lanes.z[k] = columns.z[i];
-            lanes.wx[k] = half_step * columns.vx[i];
-            lanes.wy[k] = half_step * columns.vy[i];
-            lanes.wz[k] = half_step * columns.vz[i];
-        }
-        evaluate_feet(block, count, lanes);
-        for (int k = 0; k < count; ++k)
-            feet[k] = {{lanes.one[k], lanes.two[k], lanes.nx[k], lanes.ny[k], lanes.nz[k], lanes.depth[k]}, lanes.bx[k], lanes.by[k], lanes.bz[k]};
+    using core::Four;
+    for (int begin = 0; begin < chunk.near.size(); begin += 4) {
+        const FourPatches& patch = chunk.patches[index_of(begin / 4)];
+        const auto i = chunk.near.particles_from(begin);
+        const auto &x = p.position, &v = p.velocity;
+        const auto centre = patch_point(patch, gather(x[0], i), gather(x[1], i), gather(x[2], i));
+        const Four wx = half_step * gather(v[0], i), wy = half_step * gather(v[1], i), wz = half_step * gather(v[2], i);
+        const auto way = patch_way(patch, wx, wy, wz);
+        const PatchPoint<Four> earlier{centre.one - way.one, centre.two - way.two, centre.height - way.height};
+        const auto now = find_foot(patch, centre);
+        const auto before = patch_foot(patch, earlier, improve_foot(patch, earlier, {now.one, now.two}));
+        const Four zero = 1.0 - now.one - now.two, inside = core::lesser(core::lesser(now.one, now.two), zero);
+        chunk.feet[index_of(begin / 4)] = {now, before.nx, before.ny, before.nz, inside};
     }
 }
 
+SurfaceContacts::Touch SurfaceContacts::touch_of(const Feet& feet, int lane)
+{
+    return {{Vec3(feet.now.nx[lane], feet.now.ny[lane], feet.now.nz[lane]), feet.now.depth[lane]},
+            Vec3(feet.before_x[lane], feet.before_y[lane], feet.before_z[lane])};
+}
+
 /// Touches of the particle of near pairs [begin, end), the deepest first.
-void SurfaceContacts::touch_one(const Vec3& centre, double radius, int begin, int end, Chunk& chunk) const
+void SurfaceContacts::find_touches(const Vec3& centre, double radius, int begin, int end, Chunk& chunk) const
 {
     auto& touches = chunk.touches;
-    const auto first = std::ptrdiff_t(touches.size());
-    SurfaceHit hit;
+    touches.clear();
     for (int m = begin; m < end; ++m) {
-        const Foot& foot = chunk.feet[index_of(m)];
-        if (!surface_.meet(chunk.near.triangle[index_of(m)], foot.now, centre, hit) || std::abs(hit.depth) >= radius) continue;
-        const Vec3 now(foot.now.nx, foot.now.ny, foot.now.nz), before(foot.before_x, foot.before_y, foot.before_z);
-        Touch touch{chunk.near.particle[index_of(m)], hit, (hit.normal + before - now).normalized(), Vec3::Zero()};
+        const Feet& feet = chunk.feet[index_of(m / 4)];
+        const int lane = m % 4;
+        if (feet.inside[lane] < -patch_overlap && chunk.plain[index_of(m)]) continue;
+        Touch touch = touch_of(feet, lane);
+        if (feet.inside[lane] < -patch_overlap) {
+            const Vec3 face = touch.hit.normal;
+            const PatchPlace<double> foot{feet.now.one[lane], feet.now.two[lane]};
+            if (!surface_.meet_rim(chunk.near.triangle[index_of(m)], foot, centre, touch.hit)) continue;
+            touch.before = (touch.before + touch.hit.normal - face).normalized();
+        }
+        if (std::abs(touch.hit.depth) >= radius) continue;
         // a place of its own behind all that are not less deep
         auto place = touches.end();
-        while (place != touches.begin() + first && hit.depth < (place - 1)->hit.depth) --place;
+        while (place != touches.begin() && touch.hit.depth < (place - 1)->hit.depth) --place;
         touches.insert(place, touch);
     }
-    if (std::ptrdiff_t(touches.size()) - first < 2) return;
+    if (touches.size() < 2) return;
     // a centre behind one face but before another is outside an edge, not inside the wall
     if (touches.back().hit.depth > 0.0)
-        touches.erase(touches.begin() + first,
-                      std::find_if(touches.begin() + first, touches.end(), [](const Touch& t) { return t.hit.depth > 0.0; }));
-    auto kept = touches.begin() + first;
-    for (auto t = kept; t != touches.end(); ++t) {
-        const auto same = [&](const Touch& other) { return other.hit.normal.dot(t->hit.normal) > same_contact; };
-        if (std::none_of(touches.begin() + first, kept, same)) *kept++ = *t;
+        touches.erase(touches.begin(),
+                      std::find_if(touches.begin(), touches.end(), [](const Touch& t) { return t.hit.depth > 0.0; }));
+    auto kept = touches.begin();
+    for (const Touch& t : touches) {
+        const auto same = [&](const Touch& other) { return other.hit.normal.dot(t.hit.normal) > same_contact; };
+        if (std::none_of(touches.begin(), kept, same)) *kept++ = t;
     }
     touches.erase(kept, touches.end());
 }
 
-void SurfaceContacts::find_touches(const core::ParticleSet& p, Chunk& chunk) const
+void SurfaceContacts::finish(const core::ParticleSet& p, const ContactLaws& laws, SurfaceTouches& block, Chunk& chunk, ForceSums& sums)
 {
-    chunk.touches.clear();
-    auto old = chunk.contacts.begin();
-    const int pairs = chunk.near.size();
-    for (int begin = 0, end = 0; begin < pairs; begin = end) {
-        const int i = chunk.near.particle[index_of(begin)];
-        while (end < pairs && chunk.near.particle[index_of(end)] == i) ++end;
-        const auto first = chunk.touches.size();
-        touch_one(p.position_of(i), p.radius[index_of(i)], begin, end, chunk);
-        while (old != chunk.contacts.end() && old->particle < i) ++old;
-        auto old_end = old;
-        while (old_end != chunk.contacts.end() && old_end->particle == i) ++old_end;
-        for (auto t = first; t < chunk.touches.size(); ++t)
-            chunk.touches[t].spring = take_spring(old, old_end, -chunk.touches[t].hit.normal);
-        old = old_end;
-    }
-    chunk.contacts.resize(chunk.touches.size());
+    const ParticleColumns columns(p);
+    if (laws.size() == 1) block.evaluate(columns, [law = laws.front()](std::size_t) -> const LinearContact& { return law; });
+    else block.evaluate(columns, [&](std::size_t i) -> const LinearContact& { return laws[index_of(p.species[i])]; });
+    block.add_to(SumColumns(sums), index_of(sums.begin));
+    for (int k = 0; k < block.count; ++k) chunk.contacts.push_back({block.particle[k], block.normal(k), block.spring(k)});
+    block.count = 0;
 }
 
 void SurfaceContacts::add_forces(const core::ParticleSet& p, const ContactLaws& laws, int chunk_number, ForceSums& sums)
 {
     Chunk& chunk = chunks_[index_of(chunk_number)];
     find_feet(p, 0.5 * laws.front().step, chunk);
-    find_touches(p, chunk);
-    const ParticleColumns columns(p);
-    const SumColumns add(sums);
-    for (std::size_t c = 0; c < chunk.touches.size(); ++c) {
-        const Touch& touch = chunk.touches[c];
-        const auto i = index_of(touch.particle);
-        const LinearContact& law = laws.size() == 1 ? laws.front() : laws[index_of(p.species[i])];
-        const WallMeeting at = meeting(-touch.hit.normal, -touch.normal_before, touch.hit.depth);
-        ContactInput in = wall_input(columns, i, at);
-        in.sx = touch.spring[0];
-        in.sy = touch.spring[1];
-        in.sz = touch.spring[2];
-        const ContactOutput out = law(in);
-        chunk.contacts[c] = {touch.particle, -touch.hit.normal, Vec3(out.sx, out.sy, out.sz)};
-        add_wall_force(out, at, i - index_of(sums.begin), add);
+    std::swap(chunk.contacts, chunk.contacts_before);
+    chunk.contacts.clear();
+    SurfaceTouches block;
+    const auto old_end = chunk.contacts_before.end();
+    auto old = chunk.contacts_before.begin();
+    const int pairs = chunk.near.size(), *particle = chunk.near.particle.data();
+    for (int begin = 0, end = 0; begin < pairs; begin = end) {
+        const int i = particle[begin];
+        while (end < pairs && particle[end] == i) ++end;
+        const double radius = p.radius[index_of(i)];
+        while (old != old_end && old->particle < i) ++old;
+        auto next = old;
+        while (next != old_end && next->particle == i) ++next;
+        const auto add = [&](const Touch& t) {
+            if (block.count == SurfaceTouches::size) finish(p, laws, block, chunk, sums);
+            block.add(i, t.hit.normal, t.before, t.hit.depth, take_spring(old, next, -t.hit.normal));
+        };
+        if (end == begin + 1 && chunk.plain[index_of(begin)]) { // most of them
+            const Feet& feet = chunk.feet[index_of(begin / 4)];
+            const int lane = begin % 4;
+            if (feet.inside[lane] >= -patch_overlap && std::abs(feet.now.depth[lane]) < radius) add(touch_of(feet, lane));
+        } else {
+            find_touches(p.position_of(i), radius, begin, end, chunk);
+            for (const Touch& t : chunk.touches) add(t);
+        }
+        old = next;
     }
+    finish(p, laws, block, chunk, sums);
 }
 
 } // namespace physics

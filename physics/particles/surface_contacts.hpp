@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Contacts of particles with a wall surface: one for each place of contact, its friction carried from face to face.
-#include "physics/particles/force_sums.hpp"
-#include "physics/particles/wall_surface.hpp"
+#include "physics/particles/surface_filter.hpp"
+#include "physics/particles/surface_touches.hpp"
 
 namespace physics {
 
@@ -14,9 +14,10 @@ public:
     [[nodiscard]] bool empty() const { return surface_.empty(); }
 
     /// Lists the owned particles and triangles that may touch when they have gone up to `skin` [m].
-    void build(const core::ParticleSet& particles, double skin, const core::ContactHistory& history);
-    /// Chooses among them those that may touch when they have gone up to `skin` [m].
-    void refresh(const core::ParticleSet& particles, double skin, const core::Team& team);
+    /// @param near_skin  The same for refresh() [m].
+    void build(const core::ParticleSet& particles, double skin, double near_skin, const core::ContactHistory& history);
+    /// Chooses among them those that may touch when they have gone up to the near skin.
+    void refresh(const core::ParticleSet& particles, const core::Team& team);
     /// Appends the springs of owned particle i to the last row of `history`.
     void append_row(int i, core::ContactHistory& history) const;
     /// Adds the forces of the surface to those of `chunk` and moves the springs one step on. Contacts whose normals differ by
@@ -30,11 +31,10 @@ private:
         core::Vec3 normal; ///< From the particle to the wall.
         core::Vec3 spring;
     };
-    /// A contact of this step. @param normal_before  Half a step ago, both from the surface to the particle.
+    /// A contact of this step. @param before  The surface's normal half a step ago, from the surface to the particle.
     struct Touch {
-        int particle;
         SurfaceHit hit;
-        core::Vec3 normal_before, spring;
+        core::Vec3 before;
     };
     /// Pairs of a particle and a triangle, in order of particles, then of triangles.
     struct Pairs {
@@ -45,23 +45,44 @@ private:
             triangle.push_back(t);
         }
         [[nodiscard]] int size() const { return int(particle.size()); }
+        /// Particles of pairs begin..begin + 3; beyond the last pair the last once more.
+        [[nodiscard]] std::array<int, 4> particles_from(int begin) const { return four(particle, begin); }
+        [[nodiscard]] std::array<int, 4> triangles_from(int begin) const { return four(triangle, begin); }
+        static std::array<int, 4> four(const std::vector<int>& column, int begin)
+        {
+            std::array<int, 4> values;
+            for (std::size_t k = 0; k < 4; ++k) values[k] = column[std::min(std::size_t(begin) + k, column.size() - 1)];
+            return values;
+        }
     };
-    struct Foot {
-        PatchFoot now;
-        double before_x, before_y, before_z; ///< The patch's normal half a step ago.
+    /// Of four near pairs.
+    struct Feet {
+        PatchFoot<core::Four> now;
+        core::Four before_x, before_y, before_z; ///< The patch's normal half a step ago.
+        core::Four inside;                       ///< Least of the three coordinates on the triangle.
     };
     /// The particles of one chunk that are near the surface.
     struct Chunk {
         Pairs listed, near;
-        std::vector<Foot> feet; ///< One for each near pair.
-        std::vector<Touch> touches;
-        std::vector<Contact> contacts;
+        std::vector<SurfaceFilter> filters;      ///< Of the listed pairs, four at a time.
+        std::vector<FourPatches> patches;        ///< Of the near pairs, four at a time.
+        std::vector<char> plain;                 ///< Near pairs whose triangle has no sharp edge and no sharp corner.
+        std::vector<Feet> feet;
+        std::vector<Touch> touches;              ///< Of one particle.
+        std::vector<Contact> contacts, contacts_before;
     };
+    void gather_patches(Chunk& chunk) const;
+    [[nodiscard]] FourPatches patches_of(const Pairs& pairs, int begin) const;
     void find_feet(const core::ParticleSet& particles, double half_step, Chunk& chunk) const;
-    void find_touches(const core::ParticleSet& particles, Chunk& chunk) const;
-    void touch_one(const core::Vec3& centre, double radius, int begin, int end, Chunk& chunk) const;
+    [[nodiscard]] static Touch touch_of(const Feet& feet, int lane);
+    void find_touches(const core::Vec3& centre, double radius, int begin, int end, Chunk& chunk) const;
+    static void finish(const core::ParticleSet& particles, const ContactLaws& laws, SurfaceTouches& block, Chunk& chunk, ForceSums& sums);
+
+    void make_filters(const core::ParticleSet& particles, Chunk& chunk) const;
+    void choose_near(const core::ParticleSet& particles, Chunk& chunk) const;
 
     WallSurface surface_;
+    double near_skin_ = 0.0;
     std::vector<Chunk> chunks_;
 };
 

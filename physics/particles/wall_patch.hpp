@@ -1,119 +1,154 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// A curved triangle of a wall and the place on it below a sphere, by Newton's method, written for vector code.
+// A curved triangle of a wall and the place on it below a sphere, by Newton's method; Real is a double or core::Four.
+#include "core/base/four.hpp"
 #include "core/base/vec3.hpp"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace physics {
 
-/// The patch is P(one, two) = corner + one edge1 + two edge2 + bends, its normal N(one, two) is linear. Everything but the
-/// edges is in coordinates (one, two, height) over the flat triangle, so that Newton's method needs no square root.
+/// The patch is P(one, two) = corner + one edge1 + two edge2 + bends, with the bends one (1 - one) bend1 + two (1 - two) bend2 +
+/// one two twist; its normal N(one, two) is linear. Everything but the edges is in coordinates (one, two, height) over the
+/// flat triangle, so that Newton's method needs no square root.
 struct alignas(32) WallPatch {
     static constexpr int size = 36;
     static constexpr int corner = 0, dual = 3, edges = 12, bend = 18, normal = 27; ///< Beginnings of three, nine, six, nine and nine numbers.
     std::array<double, size> value;
 
-    /// Number n; all functions below take one patch or a row of patches(n, k), number n of the k-th.
-    [[nodiscard]] double operator()(int n, int) const { return value[std::size_t(n)]; }
+    [[nodiscard]] double operator[](int n) const { return value[std::size_t(n)]; }
+};
+
+/// Four patches side by side. All functions below take these or one patch.
+struct FourPatches {
+    std::array<core::Four, WallPatch::size> value;
+
+    /// The patches of four triangles.
+    [[gnu::always_inline]] void read(const WallPatch* patches, const std::array<int, 4>& triangle)
+    {
+        for (std::size_t n = 0; n < value.size(); n += 4) {
+            for (std::size_t lane = 0; lane < 4; ++lane)
+                value[n + lane] = core::load_four(patches[triangle[lane]].value.data() + n);
+            core::transpose(value[n], value[n + 1], value[n + 2], value[n + 3]);
+        }
+    }
+    [[nodiscard]] const core::Four& operator[](int n) const { return value[std::size_t(n)]; }
 };
 
 /// One place on a patch: coordinates, the unit normal there, and how far the sphere's centre is above it [m].
+template <class Real>
 struct PatchFoot {
-    double one, two, nx, ny, nz, depth;
+    Real one, two, nx, ny, nz, depth;
 };
 
 /// Coordinates on a patch.
+template <class Real>
 struct PatchPlace {
-    double one, two;
+    Real one, two;
 };
 
 /// Coordinates (one, two, height) of a point.
+template <class Real>
 struct PatchPoint {
-    double one, two, height;
+    Real one, two, height;
 };
 
-template <class Patches>
-[[gnu::always_inline]] inline PatchPoint patch_way(const Patches& patches, int k, double x, double y, double z)
+template <class Patches, class Real>
+[[gnu::always_inline]] inline PatchPoint<Real> patch_way(const Patches& patch, const Real& x, const Real& y, const Real& z)
 {
     constexpr int d = WallPatch::dual;
-    return {patches(d, k) * x + patches(d + 1, k) * y + patches(d + 2, k) * z, patches(d + 3, k) * x + patches(d + 4, k) * y + patches(d + 5, k) * z,
-            patches(d + 6, k) * x + patches(d + 7, k) * y + patches(d + 8, k) * z};
+    return {patch[d] * x + patch[d + 1] * y + patch[d + 2] * z, patch[d + 3] * x + patch[d + 4] * y + patch[d + 5] * z,
+            patch[d + 6] * x + patch[d + 7] * y + patch[d + 8] * z};
 }
 
-template <class Patches>
-[[gnu::always_inline]] inline PatchPoint patch_point(const Patches& patches, int k, double x, double y, double z)
+template <class Patches, class Real>
+[[gnu::always_inline]] inline PatchPoint<Real> patch_point(const Patches& patch, const Real& x, const Real& y, const Real& z)
 {
-    return patch_way(patches, k, x - patches(0, k), y - patches(1, k), z - patches(2, k));
+    return patch_way(patch, Real(x - patch[0]), Real(y - patch[1]), Real(z - patch[2]));
 }
 
-/// Coordinate `axis` of the patch's bends and of its normal, with their slopes along one and two.
-struct PatchSlopes {
-    double bend, bend_one, bend_two, normal, normal_one, normal_two;
+/// Polynomials of a place, in which the patch is linear.
+template <class Real>
+struct PatchShapes {
+    Real one, two, bulge_one, bulge_two, product, rise_one, rise_two;
+    [[gnu::always_inline]] explicit PatchShapes(const PatchPlace<Real>& at)
+        : one(at.one), two(at.two), bulge_one(one - one * one), bulge_two(two - two * two), product(one * two),
+          rise_one(1.0 - one - one), rise_two(1.0 - two - two)
+    {
+    }
 };
 
-template <class Patches>
-[[gnu::always_inline]] inline PatchSlopes patch_slopes(const Patches& patches, int k, int axis, double one, double two)
+/// Coordinate `axis` of the patch's bends and of its normal, with their slopes along one and two.
+template <class Real>
+struct PatchSlopes {
+    Real bend, bend_one, bend_two, normal, normal_one, normal_two;
+};
+
+template <class Patches, class Real>
+[[gnu::always_inline]] inline PatchSlopes<Real> patch_slopes(const Patches& patch, int axis, const PatchShapes<Real>& at)
 {
-    const double zero = 1.0 - one - two;
-    const double b0 = patches(WallPatch::bend + axis, k), b1 = patches(WallPatch::bend + 3 + axis, k), b2 = patches(WallPatch::bend + 6 + axis, k);
-    const double n0 = patches(WallPatch::normal + axis, k), n1 = patches(WallPatch::normal + 3 + axis, k), n2 = patches(WallPatch::normal + 6 + axis, k);
-    return {one * two * b0 + zero * two * b1 + zero * one * b2,
-            two * (b0 - b1) + (zero - one) * b2,
-            one * (b0 - b2) + (zero - two) * b1,
-            zero * n0 + one * n1 + two * n2,
-            n1 - n0,
-            n2 - n0};
+    const int b = WallPatch::bend + axis, n = WallPatch::normal + axis;
+    const Real bend1 = patch[b], bend2 = patch[b + 3], twist = patch[b + 6], normal1 = patch[n + 3], normal2 = patch[n + 6];
+    return {at.bulge_one * bend1 + at.bulge_two * bend2 + at.product * twist,
+            at.rise_one * bend1 + at.two * twist,
+            at.rise_two * bend2 + at.one * twist,
+            patch[n] + at.one * normal1 + at.two * normal2,
+            normal1,
+            normal2};
 }
 
 /// A foot far outside the triangle stays outside, wherever it ends.
-[[gnu::always_inline]] inline PatchPlace bounded_place(double one, double two)
+template <class Real>
+[[gnu::always_inline]] inline PatchPlace<Real> bounded_place(const Real& one, const Real& two)
 {
-    return {std::max(-1.0, std::min(2.0, one)), std::max(-1.0, std::min(2.0, two))};
+    const Real low = Real{} - 1.0, high = Real{} + 2.0;
+    return {core::greater(low, core::lesser(high, one)), core::greater(low, core::lesser(high, two))};
 }
 
 /// One Newton step towards P + depth N = centre.
-template <class Patches>
-[[gnu::always_inline]] inline PatchPlace improve_foot(const Patches& patches, int k, PatchPoint centre, PatchPlace from)
+template <class Patches, class Real>
+[[gnu::always_inline]] inline PatchPlace<Real> improve_foot(const Patches& patch, const PatchPoint<Real>& centre,
+                                                            const PatchPlace<Real>& from)
 {
-    const double one = from.one, two = from.two;
-    const PatchSlopes f = patch_slopes(patches, k, 0, one, two), g = patch_slopes(patches, k, 1, one, two), h = patch_slopes(patches, k, 2, one, two);
-    const double inverse = 1.0 / h.normal;
-    const double depth = (centre.height - h.bend) * inverse;
-    const double depth_one = -(h.bend_one + depth * h.normal_one) * inverse, depth_two = -(h.bend_two + depth * h.normal_two) * inverse;
-    const double miss_one = one + f.bend + depth * f.normal - centre.one, miss_two = two + g.bend + depth * g.normal - centre.two;
-    const double a = 1.0 + f.bend_one + depth_one * f.normal + depth * f.normal_one;
-    const double b = f.bend_two + depth_two * f.normal + depth * f.normal_two;
-    const double c = g.bend_one + depth_one * g.normal + depth * g.normal_one;
-    const double d = 1.0 + g.bend_two + depth_two * g.normal + depth * g.normal_two;
-    const double share = 1.0 / std::max(a * d - b * c, 0.1); // small near the centre of curvature
-    return bounded_place(one - share * (d * miss_one - b * miss_two), two - share * (a * miss_two - c * miss_one));
+    const Real one = from.one, two = from.two;
+    const PatchShapes<Real> at(from);
+    const auto f = patch_slopes(patch, 0, at), g = patch_slopes(patch, 1, at), h = patch_slopes(patch, 2, at);
+    const Real inverse = 1.0 / h.normal;
+    const Real depth = (centre.height - h.bend) * inverse;
+    const Real depth_one = -(h.bend_one + depth * h.normal_one) * inverse, depth_two = -(h.bend_two + depth * h.normal_two) * inverse;
+    const Real miss_one = one + f.bend + depth * f.normal - centre.one, miss_two = two + g.bend + depth * g.normal - centre.two;
+    const Real a = 1.0 + f.bend_one + depth_one * f.normal + depth * f.normal_one;
+    const Real b = f.bend_two + depth_two * f.normal + depth * f.normal_two;
+    const Real c = g.bend_one + depth_one * g.normal + depth * g.normal_one;
+    const Real d = 1.0 + g.bend_two + depth_two * g.normal + depth * g.normal_two;
+    const Real least = Real{} + 0.1; // the determinant is small near the centre of curvature
+    const Real share = 1.0 / core::greater(a * d - b * c, least);
+    return bounded_place<Real>(one - share * (d * miss_one - b * miss_two), two - share * (a * miss_two - c * miss_one));
 }
 
 /// The normal at a place and the depth of a centre over it.
-template <class Patches>
-[[gnu::always_inline]] inline PatchFoot patch_foot(const Patches& patches, int k, PatchPoint centre, PatchPlace place)
+template <class Patches, class Real>
+[[gnu::always_inline]] inline PatchFoot<Real> patch_foot(const Patches& patch, const PatchPoint<Real>& centre,
+                                                         const PatchPlace<Real>& place)
 {
-    const double one = place.one, two = place.two;
     constexpr int e = WallPatch::edges, up = WallPatch::dual + 6;
-    const PatchSlopes f = patch_slopes(patches, k, 0, one, two), g = patch_slopes(patches, k, 1, one, two), h = patch_slopes(patches, k, 2, one, two);
-    const double x = f.normal * patches(e, k) + g.normal * patches(e + 3, k) + h.normal * patches(up, k);
-    const double y = f.normal * patches(e + 1, k) + g.normal * patches(e + 4, k) + h.normal * patches(up + 1, k);
-    const double z = f.normal * patches(e + 2, k) + g.normal * patches(e + 5, k) + h.normal * patches(up + 2, k);
-    const double length = std::sqrt(x * x + y * y + z * z), inverse = 1.0 / length;
-    return {one, two, x * inverse, y * inverse, z * inverse, (centre.height - h.bend) / h.normal * length};
+    const PatchShapes<Real> at(place);
+    const auto f = patch_slopes(patch, 0, at), g = patch_slopes(patch, 1, at), h = patch_slopes(patch, 2, at);
+    const Real x = f.normal * patch[e] + g.normal * patch[e + 3] + h.normal * patch[up];
+    const Real y = f.normal * patch[e + 1] + g.normal * patch[e + 4] + h.normal * patch[up + 1];
+    const Real z = f.normal * patch[e + 2] + g.normal * patch[e + 5] + h.normal * patch[up + 2];
+    const Real length = core::square_root(x * x + y * y + z * z), inverse = 1.0 / length;
+    return {place.one, place.two, x * inverse, y * inverse, z * inverse, (centre.height - h.bend) / h.normal * length};
 }
 
 /// The foot of a centre. Three steps: the error is below rounding where the depth is small against the radius of curvature.
-template <class Patches>
-[[gnu::always_inline]] inline PatchFoot find_foot(const Patches& patches, int k, PatchPoint centre)
+template <class Patches, class Real>
+[[gnu::always_inline]] inline PatchFoot<Real> find_foot(const Patches& patch, const PatchPoint<Real>& centre)
 {
-    const PatchPlace first = improve_foot(patches, k, centre, bounded_place(centre.one, centre.two));
-    const PatchPlace second = improve_foot(patches, k, centre, first);
-    return patch_foot(patches, k, centre, improve_foot(patches, k, centre, second));
+    const auto first = improve_foot(patch, centre, bounded_place(centre.one, centre.two));
+    const auto second = improve_foot(patch, centre, first);
+    return patch_foot(patch, centre, improve_foot(patch, centre, second));
 }
 
 } // namespace physics

@@ -59,13 +59,15 @@ void WallSurface::add_patch(Triangle& t, const std::array<Vec3, 3>& normal)
     const Vec3 one = t.corner[1] - t.corner[0], two = t.corner[2] - t.corner[0], up = one.cross(two);
     const std::array<Vec3, 3> dual{two.cross(up) / up.squaredNorm(), up.cross(one) / up.squaredNorm(), up.normalized()};
     std::array<Vec3, 3> bend, local_normal;
-    t.bulge = 0.0;
+    t.bulge = t.low = t.high = 0.0;
     for (std::size_t c = 0; c < 3; ++c) {
         const auto i = (c + 1) % 3, j = (c + 2) % 3;
         const Vec3 b = bend_of(t.corner[i], normal[i], t.corner[j], normal[j]);
         bend[c] = Vec3(dual[0].dot(b), dual[1].dot(b), dual[2].dot(b));
         local_normal[c] = Vec3(dual[0].dot(normal[c]), dual[1].dot(normal[c]), dual[2].dot(normal[c]));
-        t.bulge += 0.25 * b.norm();
+        t.bulge += 0.25 * b.norm(); // two of the triangle's coordinates multiply to 1/4 at most
+        t.low += 0.25 * std::min(0.0, bend[c][2]);
+        t.high += 0.25 * std::max(0.0, bend[c][2]);
     }
     WallPatch patch;
     auto next = patch.value.begin();
@@ -74,8 +76,8 @@ void WallSurface::add_patch(Triangle& t, const std::array<Vec3, 3>& normal)
     for (const Vec3& v : dual) put(v);
     put(one);
     put(two);
-    for (const Vec3& v : bend) put(v);
-    for (const Vec3& v : local_normal) put(v);
+    for (const Vec3& v : {bend[2], bend[1], Vec3(bend[0] - bend[1] - bend[2])}) put(v);
+    for (const Vec3& v : {local_normal[0], Vec3(local_normal[1] - local_normal[0]), Vec3(local_normal[2] - local_normal[0])}) put(v);
     patches_.push_back(patch);
 
     const double least = std::min({local_normal[0][2], local_normal[1][2], local_normal[2][2]}); // of the normal's length, inside
@@ -94,7 +96,7 @@ void WallSurface::add_patch(Triangle& t, const std::array<Vec3, 3>& normal)
     t.plain = !t.sharp && t.vertex[1] < 0 && t.vertex[2] < 0 && least > 0.5;
 }
 
-bool WallSurface::meet_rim(int triangle, const PatchFoot& foot, const Vec3& centre, SurfaceHit& hit) const
+bool WallSurface::meet_rim(int triangle, const PatchPlace<double>& foot, const Vec3& centre, SurfaceHit& hit) const
 {
     const Triangle& t = triangles_[std::size_t(triangle)];
     if (t.sharp && 1.0 - foot.one - foot.two < 0.0) return meet_edge(t, centre, hit);
@@ -149,7 +151,8 @@ void WallSurface::fill_bins()
     const Vec3 extent = high_ - low_;
     bin_width_ = std::max(2.0 * size, std::cbrt(extent[0] * extent[1] * extent[2] / double(8 * triangles_.size() + 64)));
     for (std::size_t a = 0; a < 3; ++a) bins_[a] = std::max(1, int(extent[int(a)] / bin_width_) + 1);
-    std::vector<std::vector<int>> lists(std::size_t(bins_[0]) * std::size_t(bins_[1]) * std::size_t(bins_[2]));
+    const std::size_t bins = std::size_t(bins_[0]) * std::size_t(bins_[1]) * std::size_t(bins_[2]);
+    std::vector<std::vector<int>> lists(bins);
     for (int n = 0; n < int(triangles_.size()); ++n) {
         const auto& t = triangles_[std::size_t(n)];
         const auto from = bin(t.corner[0].cwiseMin(t.corner[1]).cwiseMin(t.corner[2]));
@@ -184,17 +187,35 @@ void WallSurface::candidates(const Vec3& centre, double radius, double skin, std
     std::erase_if(found, [&](int n) { return !near(n, centre, radius, skin); });
 }
 
+CentreBounds WallSurface::bounds(int triangle, double radius, double skin) const
+{
+    const auto& t = triangles_[std::size_t(triangle)];
+    const auto& patch = patches_[std::size_t(triangle)];
+    const double reach = radius + skin, everywhere = -1e300;
+    CentreBounds b;
+    constexpr std::array<int, 3> rows{WallPatch::dual + 6, WallPatch::dual, WallPatch::dual + 3};
+    for (std::size_t n = 0; n < 3; ++n) {
+        const int row = rows[n];
+        for (int a = 0; a < 3; ++a) b.value[4 * n + std::size_t(a)] = patch[row + a];
+        b.value[4 * n + 3] = patch[row] * patch[0] + patch[row + 1] * patch[1] + patch[row + 2] * patch[2];
+    }
+    b.value[12] = t.low - reach;
+    b.value[13] = t.high + reach;
+    for (std::size_t c = 0; c < 3; ++c) b.value[14 + c] = t.plain ? -(t.room[c] + t.lean[c] * reach + t.slope[c] * skin) : everywhere;
+    return b;
+}
+
 bool WallSurface::near(int triangle, const Vec3& centre, double radius, double skin) const
 {
     const auto& t = triangles_[std::size_t(triangle)];
-    const double wanted = radius + skin + t.bulge;
-    const PatchPoint at = patch_point(patches_[std::size_t(triangle)], 0, centre[0], centre[1], centre[2]);
-    if (std::abs(at.height) >= wanted) return false;
+    const double reach = radius + skin, wanted = reach + t.bulge;
+    const PatchPoint<double> at = patch_point(patches_[std::size_t(triangle)], centre[0], centre[1], centre[2]);
+    if (at.height >= t.high + reach || at.height <= t.low - reach) return false;
     const std::array<double, 3> weight{at.one, at.two, 1.0 - at.one - at.two};
     if (t.plain) {
         bool inside = true;
         for (std::size_t c = 0; c < 3; ++c)
-            inside = inside && weight[c] > -(t.room[c] + t.lean[c] * (radius + skin) + t.slope[c] * skin);
+            inside = inside && weight[c] > -(t.room[c] + t.lean[c] * reach + t.slope[c] * skin);
         return inside;
     }
     if (std::min({weight[0], weight[1], weight[2]}) >= 0.0) return true;

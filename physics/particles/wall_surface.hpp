@@ -17,6 +17,17 @@ struct SurfaceHit {
     double depth = 0.0;                     ///< Distance of the centre from the surface [m].
 };
 
+/// Where a centre must lie to be near a triangle: its height and its coordinates along the edges, each as three factors and
+/// an offset; then the lowest and highest height, and the least of the three coordinates.
+struct CentreBounds {
+    static constexpr std::size_t size = 17;
+    std::array<double, size> value;
+};
+
+/// A foot this far outside a triangle still counts [-]: neighbours overlap a little, and of two hits with one normal only the
+/// deeper is kept.
+inline constexpr double patch_overlap = 1e-3;
+
 /// Each quadrilateral is split into four triangles about its centre. A triangle carries the normals of its corners and is
 /// bent to them (quadratic patch), so that a coarse pipe is a pipe and rolls like one.
 /// @source  Nagata (2005), Simple local interpolation of surfaces using normal vectors: the edge curves.
@@ -34,23 +45,21 @@ public:
     void candidates(const core::Vec3& centre, double radius, double skin, std::vector<int>& found) const;
     /// Whether a sphere about `centre` may touch `triangle` when it has gone up to `skin` [m].
     [[nodiscard]] bool near(int triangle, const core::Vec3& centre, double radius, double skin) const;
+    /// The same for a plain triangle; for others only the heights.
+    [[nodiscard]] CentreBounds bounds(int triangle, double radius, double skin) const;
     /// The curved triangles, for vector code.
     [[nodiscard]] const std::vector<WallPatch>& patches() const { return patches_; }
-    /// Whether the centre faces `triangle` or one of its sharp edges and corners; each place of contact once, up to rounding.
-    /// @param foot  Of the centre on the triangle's patch.
-    [[nodiscard]] bool meet(int triangle, const PatchFoot& foot, const core::Vec3& centre, SurfaceHit& hit) const
-    {
-        // a foot this far outside still counts: neighbours overlap a little, and of two hits with one normal only the deeper is kept
-        constexpr double overlap_share = 1e-3;
-        hit = {core::Vec3(foot.nx, foot.ny, foot.nz), foot.depth};
-        if (std::min({foot.one, foot.two, 1.0 - foot.one - foot.two}) >= -overlap_share) return true;
-        return !triangles_[std::size_t(triangle)].plain && meet_rim(triangle, foot, centre, hit);
-    }
+    /// Whether a triangle has no sharp edge and no sharp corner: it is met only where a foot is inside.
+    [[nodiscard]] bool plain(int triangle) const { return triangles_[std::size_t(triangle)].plain; }
+    /// Whether the centre faces a sharp edge or corner of `triangle`; each place of contact once, up to rounding.
+    /// @param foot  Of the centre on the triangle's patch, outside the triangle.
+    [[nodiscard]] bool meet_rim(int triangle, const PatchPlace<double>& foot, const core::Vec3& centre, SurfaceHit& hit) const;
 
 private:
     struct Triangle {
         std::array<core::Vec3, 3> corner;
-        double bulge;                         ///< Of the patch above or below the flat triangle [m].
+        double low, high;                     ///< The patch's heights over the flat triangle are within these [m].
+        double bulge;                         ///< Greatest distance of the patch from the flat triangle [m].
         std::array<double, 3> room, lean;     ///< A foot inside lies below a centre that is no further outside than room + lean depth.
         std::array<double, 3> slope;          ///< Of the barycentric coordinates [1/m].
         bool plain = true;                    ///< No sharp edge and no sharp corner.
@@ -61,7 +70,6 @@ private:
     void add_triangles(const WallFaces& faces, int face);
     void add_patch(Triangle& triangle, const std::array<core::Vec3, 3>& normal);
     void fill_bins();
-    [[nodiscard]] bool meet_rim(int triangle, const PatchFoot& foot, const core::Vec3& centre, SurfaceHit& hit) const;
     [[nodiscard]] bool meet_edge(const Triangle& triangle, const core::Vec3& centre, SurfaceHit& hit) const;
     [[nodiscard]] bool meet_corner(const Triangle& triangle, int corner, const core::Vec3& centre, SurfaceHit& hit) const;
     [[nodiscard]] std::array<int, 3> bin(const core::Vec3& x) const;

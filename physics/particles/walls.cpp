@@ -102,30 +102,70 @@ void WallContacts::build(const core::ParticleSet& p, double skin, const core::Co
 {
     for (std::size_t w = 0; w < walls_.size(); ++w) {
         auto& list = lists_[w];
-        list.particle.clear();
+        list.all.particle.clear();
         list.chunk_begin.clear();
-        for (auto& column : list.spring) column.clear();
+        list.near_end.clear();
+        for (auto& column : list.all.spring) column.clear();
         std::visit(
             [&](const auto& wall) {
                 const auto meet = meeting_of(wall);
                 for (int i = 0; i < p.owned; ++i) {
-                    if (i % core::particles_per_chunk == 0) list.chunk_begin.push_back(int(list.particle.size()));
+                    if (i % core::particles_per_chunk == 0) list.chunk_begin.push_back(int(list.all.particle.size()));
                     const Vec3 x = p.position_of(i);
                     if (meet(x[0], x[1], x[2], 0, 0, 0).depth - p.radius[index_of(i)] >= skin) continue;
-                    list.particle.push_back(i);
+                    list.all.particle.push_back(i);
                     const auto kept = history.find(i, core::wall_key(std::int64_t(w)));
-                    for (std::size_t a = 0; a < 3; ++a) list.spring[a].push_back(kept[a]);
+                    for (std::size_t a = 0; a < 3; ++a) list.all.spring[a].push_back(kept[a]);
                 }
             },
             walls_[w]);
-        list.chunk_begin.push_back(int(list.particle.size()));
+        list.chunk_begin.push_back(int(list.all.particle.size()));
     }
+}
+
+void WallContacts::refresh(const core::ParticleSet& p, double skin, const core::Team& team)
+{
+    for (std::size_t w = 0; w < walls_.size(); ++w) {
+        auto& list = lists_[w];
+        list.near.particle.resize(list.all.particle.size());
+        list.place.resize(list.all.particle.size());
+        for (auto& column : list.near.spring) column.resize(list.all.particle.size());
+        const int chunks = int(list.chunk_begin.size()) - 1;
+        list.near_end.resize(index_of(chunks));
+        std::visit(
+            [&](const auto& wall) {
+                const auto meet = meeting_of(wall);
+                team.run(chunks, [&](int c) {
+                    const auto begin = index_of(list.chunk_begin[index_of(c)]), end = index_of(list.chunk_begin[index_of(c) + 1]);
+                    auto next = begin;
+                    for (auto k = begin; k < end; ++k) {
+                        const int i = list.all.particle[k];
+                        const Vec3 x = p.position_of(i);
+                        if (meet(x[0], x[1], x[2], 0, 0, 0).depth - p.radius[index_of(i)] >= skin) continue;
+                        list.near.particle[next] = i;
+                        list.place[next] = int(k);
+                        for (std::size_t a = 0; a < 3; ++a) list.near.spring[a][next] = list.all.spring[a][k];
+                        ++next;
+                    }
+                    list.near_end[index_of(c)] = int(next);
+                });
+            },
+            walls_[w]);
+    }
+}
+
+void WallContacts::return_springs()
+{
+    for (auto& list : lists_)
+        for (std::size_t c = 0; c < list.near_end.size(); ++c)
+            for (auto k = index_of(list.chunk_begin[c]); k < index_of(list.near_end[c]); ++k)
+                for (std::size_t a = 0; a < 3; ++a) list.all.spring[a][index_of(list.place[k])] = list.near.spring[a][k];
 }
 
 void WallContacts::append_row(int i, core::ContactHistory& history) const
 {
     for (std::size_t w = 0; w < lists_.size(); ++w) {
-        const auto& list = lists_[w];
+        const Contacts& list = lists_[w].all;
         const auto found = std::lower_bound(list.particle.begin(), list.particle.end(), i);
         if (found == list.particle.end() || *found != i) continue;
         const auto k = std::size_t(found - list.particle.begin());
@@ -138,8 +178,9 @@ void WallContacts::add_forces(const core::ParticleSet& p, const ContactLaws& law
 {
     for (std::size_t w = 0; w < walls_.size(); ++w) {
         auto& list = lists_[w];
-        const int begin = list.chunk_begin[index_of(chunk)], end = list.chunk_begin[index_of(chunk) + 1];
-        const WallColumns columns{list.particle.data(), list.spring[0].data(), list.spring[1].data(), list.spring[2].data()};
+        const int begin = list.chunk_begin[index_of(chunk)], end = list.near_end[index_of(chunk)];
+        auto& spring = list.near.spring;
+        const WallColumns columns{list.near.particle.data(), spring[0].data(), spring[1].data(), spring[2].data()};
         std::visit(
             [&](const auto& wall) {
                 const auto meet = meeting_of(wall);

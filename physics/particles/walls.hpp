@@ -29,6 +29,10 @@ public:
     explicit WallContacts(std::vector<Wall> walls);
     /// Lists the owned particles with a gap below `skin` [m].
     void build(const core::ParticleSet& particles, double skin, const core::ContactHistory& history);
+    /// Chooses among them those with a gap below `skin` [m], which are all that have forces.
+    void refresh(const core::ParticleSet& particles, double skin, const core::Team& team);
+    /// Puts the springs of those chosen back into the lists, before another choice and before append_row().
+    void return_springs();
     /// Appends the springs of owned particle i to the last row of `history`.
     void append_row(int i, core::ContactHistory& history) const;
     /// Adds the forces of the walls to those of `chunk`, wall by wall, and moves the springs one step on.
@@ -37,11 +41,17 @@ public:
     [[nodiscard]] bool empty() const { return walls_.empty(); }
 
 private:
+    struct Contacts {
+        std::vector<int> particle;
+        std::array<core::Column, 3> spring;
+    };
     /// Contacts of one wall, in order of the particles.
     struct List {
-        std::vector<int> particle;
+        Contacts all;
         std::vector<int> chunk_begin;
-        std::array<core::Column, 3> spring;
+        Contacts near;            ///< Those of each chunk begin where all of it begin.
+        std::vector<int> place;   ///< Of near contacts among all.
+        std::vector<int> near_end;
     };
     std::vector<Wall> walls_;
     std::vector<List> lists_;

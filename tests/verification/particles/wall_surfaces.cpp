@@ -54,6 +54,25 @@ Vec3 static_force(const Faces& faces, const Vec3& centre, double radius)
     return dynamics.particles.mass[0] / step * dynamics.particles.velocity_of(0);
 }
 
+/// Balls thrown about in a pipe of faces between two planes.
+std::map<std::int64_t, std::array<double, 9>> thrown_balls(double skin, double near_skin)
+{
+    const Faces faces = test::pipe(10e-3, 40e-3, 32, 12);
+    auto parameters = test::material(1000, 0.6, 0.5);
+    parameters.skin = skin;
+    parameters.near_skin = near_skin;
+    const std::vector<physics::Wall> ends{physics::PlaneWall{Vec3(0.5e-3, 0, 0), Vec3::UnitX()}, physics::PlaneWall{Vec3(39e-3, 0, 0), -Vec3::UnitX()}};
+    physics::ParticleDynamics dynamics({}, parameters, ends, 1e-5);
+    dynamics.set_surface(physics::WallSurface(faces.vertices, faces.quads));
+    for (int n = 0; n < 60; ++n) {
+        auto ball = test::sphere(n, Vec3(2.5e-3 + 3.5e-3 * (n % 10), -4e-3 + 4e-3 * (n / 10 % 3), -2e-3 + 4e-3 * (n / 30)), 1e-3 + 0.5e-3 * (n % 2));
+        ball.velocity = 0.5 * Vec3(n % 3 - 1, n % 5 - 2, n % 7 - 3);
+        dynamics.particles.add(ball);
+    }
+    test::run(dynamics, Vec3(0, 0, -9.81), 4000);
+    return test::state(dynamics.particles);
+}
+
 } // namespace
 
 TEST_CASE("a ball rolling round inside a pipe of faces keeps its energy")
@@ -98,6 +117,13 @@ TEST_CASE("friction goes on across the joints of faces")
     const double time = 0.02, pull = 2.0;
     test::run(dynamics, Vec3(0, pull, -g), int(time / dynamics.step()));
     CHECK(dynamics.particles.velocity[1][0] == doctest::Approx(5.0 / 7.0 * pull * time).epsilon(5e-3)); // the spring's first swing
+}
+
+TEST_CASE("how far lists reach changes no bit of what walls do")
+{
+    const auto usual = thrown_balls(0.0, 0.0);
+    CHECK(thrown_balls(0.1e-3, 0.01e-3) == usual);
+    CHECK(thrown_balls(2e-3, 1e-3) == usual);
 }
 
 TEST_CASE("faces that do not exist or have no area are refused")

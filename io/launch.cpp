@@ -6,7 +6,6 @@
 #include "io/manifest.hpp"
 #include <cerrno>
 #include <charconv>
-#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
@@ -46,7 +45,7 @@ namespace {
             if (waitpid(child, &status, WNOHANG) == child)
                 return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
             if (signal != SIGINT && signal != SIGTERM && signal != SIGUSR1) continue;
-            kill(child, asked && signal != SIGUSR1 ? SIGTERM : SIGUSR1);
+            kill(child, asked && signal != SIGUSR1 ? SIGTERM : signal_to_ranks(signal));
             asked = true;
         }
     }

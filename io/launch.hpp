@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // `--ranks N`: the program starts itself under mpirun and passes on requests to stop. mpirun answers TERM and Ctrl-C by
-// killing its ranks within seconds, but hands USR1 on to them: so every request becomes a USR1, and a last checkpoint has
-// the time that it needs.
+// killing its ranks within seconds, but hands some other signals on to them: so each request goes to the ranks as one of
+// those, and a last checkpoint has the time that it needs.
+#include <csignal>
 #include <optional>
 #include <string>
 #include <utility>
@@ -36,8 +37,15 @@ struct LaunchSite {
 /// Set for the ranks if the standard output is a terminal: they write into a pipe of mpirun and cannot see it.
 inline constexpr const char* terminal_variable = "ISAGO_TERMINAL";
 
-/// Runs the same command on `ranks` ranks and waits for its end; Ctrl-C, TERM and USR1 become one USR1 for all ranks, a
-/// second Ctrl-C or TERM ends them at once.
+/// What mpirun hands on for Ctrl-C and TERM; all others go as they are.
+inline constexpr int signal_for_interrupt = SIGALRM, signal_for_terminate = SIGUSR2;
+[[nodiscard]] constexpr int signal_to_ranks(int signal)
+{
+    return signal == SIGINT ? signal_for_interrupt : signal == SIGTERM ? signal_for_terminate : signal;
+}
+
+/// Runs the same command on `ranks` ranks and waits for its end; Ctrl-C, TERM and USR1 reach all ranks as requests to stop,
+/// a second Ctrl-C or TERM ends them at once.
 /// @returns the exit code, or nothing if this process is one of the ranks.
 /// @throws core::ConfigError if mpirun started another number of ranks, or cannot be found.
 [[nodiscard]] std::optional<int> start_ranks(int ranks, int argc, char** argv);

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/stop_requests.hpp"
 
+#include "io/launch.hpp"
 #include <algorithm>
 #include <array>
-#include <csignal>
 #include <cstdint>
 
 namespace io {
@@ -16,8 +16,8 @@ namespace {
 
     extern "C" void note_signal(int signal)
     {
-        if (signal == SIGINT) interrupted = 1;
-        if (signal == SIGTERM) terminated = 1;
+        if (signal == SIGINT || signal == signal_for_interrupt) interrupted = 1;
+        if (signal == SIGTERM || signal == signal_for_terminate) terminated = 1;
         if (signal == SIGUSR1) user_signal = 1;
     }
 
@@ -45,14 +45,13 @@ StopRequests::StopRequests(std::filesystem::path stop_file, std::optional<double
     terminated = 0;
     user_signal = 0;
     handle(SIGINT, note_signal, SA_RESTART | static_cast<int>(SA_RESETHAND));
-    handle(SIGTERM, note_signal, SA_RESTART);
-    handle(SIGUSR1, note_signal, SA_RESTART);
+    for (int signal : {SIGTERM, SIGUSR1, signal_for_interrupt, signal_for_terminate}) handle(signal, note_signal, SA_RESTART);
     handle(SIGXFSZ, SIG_IGN, 0); // a file that may not grow is an error of the one who writes it, not the end
 }
 
 StopRequests::~StopRequests()
 {
-    for (int signal : {SIGINT, SIGTERM, SIGUSR1, SIGXFSZ}) handle(signal, SIG_DFL, 0);
+    for (int signal : {SIGINT, SIGTERM, SIGUSR1, signal_for_interrupt, signal_for_terminate, SIGXFSZ}) handle(signal, SIG_DFL, 0);
 }
 
 StopReason StopRequests::here(int rank) const

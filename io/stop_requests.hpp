@@ -16,7 +16,8 @@ enum class StopReason { none, wall_clock, stop_file, user_signal, terminated, in
 /// "Ctrl-C", "the limit of real time", ...
 [[nodiscard]] std::string name_of(StopReason reason);
 
-/// Catches the signals while it lives; one at a time in a process. A second Ctrl-C ends the program at once.
+/// Catches the signals, and what a launcher sends in their place, while it lives; one at a time in a process. A second
+/// Ctrl-C ends the program at once.
 class StopRequests {
 public:
     /// @param stop_file   Its existence ends the run; no file if empty.

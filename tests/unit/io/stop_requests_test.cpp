@@ -38,6 +38,16 @@ TEST_CASE("a run is asked to stop by signals, a stop file or the clock")
     CHECK(io::name_of(io::StopReason::terminated) == "signal TERM");
 }
 
+TEST_CASE("ranks know which signal the launcher was sent")
+{
+    for (const auto& [sent, reason] : {std::pair{SIGUSR1, io::StopReason::user_signal}, std::pair{SIGTERM, io::StopReason::terminated},
+                                       std::pair{SIGINT, io::StopReason::interrupted}}) {
+        const io::StopRequests requests;
+        std::raise(io::signal_to_ranks(sent));
+        CHECK(agreed(requests) == reason);
+    }
+}
+
 TEST_CASE("a second Ctrl-C is not caught")
 {
     const io::StopRequests requests;

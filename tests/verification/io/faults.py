@@ -134,14 +134,14 @@ def all_checkpoints_damaged(bench, folder):
 
 def signals(bench, folder):
     """Ctrl-C and TERM end a run with a checkpoint and exit code 75; so they do through the ranks that the program starts."""
-    for number, ranks, then in ((signal.SIGINT, 1, 2), (signal.SIGTERM, 2, 1)):
+    for number, name, ranks, then in ((signal.SIGINT, "Ctrl-C", 1, 2), (signal.SIGTERM, "signal TERM", 2, 1)):
         shutil.rmtree(bench.folder, ignore_errors=True)
         running = bench.start(*END, "--ranks", str(ranks))
         bench.wait_for_checkpoints(1)
         running.send_signal(number)
         text, _ = running.communicate(timeout=120)
         expect(running.returncode == STOPPED, f"exit code {running.returncode} after {number.name}:\n{text}")
-        expect_words(text, "stopped by")
+        expect_words(text, f"stopped by {name}")
         expect_same_end(bench, "--ranks", str(then))
 
 

@@ -16,6 +16,7 @@ namespace {
         for (const auto& path : {run.scene(), run.log(), run.metrics(), run.checkpoints(), run.results(), run.frames(),
                                  run.trace(), run.report(), run.stop_file(), run.manifest()})
             fs::remove_all(path);
+        for (int rank = 1; fs::remove(run.trace(rank)); ++rank) {}
     }
 
     void check_existing(const RunDirectory& run, RunDirectory::Existing existing)

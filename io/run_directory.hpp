@@ -31,7 +31,10 @@ public:
     [[nodiscard]] std::filesystem::path checkpoints() const { return root_ / "checkpoints"; }
     [[nodiscard]] std::filesystem::path results() const { return root_ / "results"; }
     [[nodiscard]] std::filesystem::path frames() const { return root_ / "frames"; }
-    [[nodiscard]] std::filesystem::path trace() const { return root_ / "trace.json"; }
+    [[nodiscard]] std::filesystem::path trace(int rank = 0) const
+    {
+        return root_ / (rank == 0 ? std::string("trace.json") : "trace_" + std::to_string(rank) + ".json");
+    }
     [[nodiscard]] std::filesystem::path report() const { return root_ / "report.html"; }
     /// A file of this name, made by the user, ends the run with a checkpoint.
     [[nodiscard]] std::filesystem::path stop_file() const { return root_ / "stop"; }

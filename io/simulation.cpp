@@ -5,6 +5,7 @@
 #include "io/grid_builder.hpp"
 #include "io/manifest.hpp"
 #include "io/rank_zero.hpp"
+#include "io/run_cost.hpp"
 #include "io/scene_writer.hpp"
 #include "io/simulation_outputs.hpp"
 #include "io/state_file.hpp"
@@ -114,9 +115,10 @@ StopReason Simulation::run()
     progress.finish();
     outputs_->finish();
     if (options_.trace) {
-        trace_.write(*world_.plan(), ranks_.rank(), directory_.trace());
-        if (ranks_.rank() == 0) log_.info(core::text(trace_.digest(*world_.plan())));
+        trace_.write(*world_.plan(), ranks_.rank(), directory_.trace(ranks_.rank()));
+        for (const std::string& line : trace_lines(trace_.digest(*world_.plan()), ranks_)) log_.info(line);
     }
+    log_.info(memory_line(world_));
     if (reason != StopReason::none) log_.info(fmt::format("stopped by {} at t = {:.6g} s, state saved", name_of(reason), world_.time()));
     else log_.info(fmt::format("finished at t = {:.6g} s after {} steps in {}", world_.time(), world_.clock().step, duration_text(log_.seconds())));
     return reason;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <iomanip>
+#include <numeric>
 #include <ostream>
 #include <set>
 
@@ -70,6 +71,8 @@ PlanReport Plan::describe() const
     for (const auto& r : graph_->resources_)
         report.resources.push_back({r.name, needed.contains(r.id), r.bytes ? r.bytes() : 0});
     report.longest_path = names_of_longest_path(*this);
+    report.memory = memory_of(*this, graph_->resources_, graph_->sinks_);
+    report.memory.cells = std::accumulate(graph_->layout_.cells.begin(), graph_->layout_.cells.end(), std::ptrdiff_t(0));
     return report;
 }
 
@@ -90,6 +93,7 @@ std::ostream& operator<<(std::ostream& stream, const PlanReport& report)
     stream << "resources\n";
     for (const auto& r : report.resources)
         stream << (r.needed ? "  keep " : "  skip ") << std::setw(12) << r.bytes << " B  " << r.name << '\n';
+    stream << report.memory << '\n';
     stream << "longest path (" << report.longest_path.size() << " tasks)\n  ";
     list(report.longest_path, " > ");
     return stream << '\n';

@@ -33,6 +33,15 @@ struct Node {
 };
 
 /// What `isago plan` shows.
+/// Memory of the resources that the kept stages touch, on this rank [bytes].
+struct PlanMemory {
+    std::size_t bytes = 0;
+    std::size_t carried = 0;      ///< Of those whose values outlive the step.
+    std::size_t most_at_once = 0; ///< Carried, and of the others those in use at the same stage: with shared memory no less would do.
+    std::ptrdiff_t cells = 0;
+};
+std::ostream& operator<<(std::ostream& stream, const PlanMemory& memory);
+
 struct PlanReport {
     struct StageLine {
         std::string name, lane;
@@ -48,6 +57,7 @@ struct PlanReport {
     std::vector<StageLine> stages;
     std::vector<ResourceLine> resources;
     std::vector<std::string> longest_path; ///< stages along the longest chain of tasks
+    PlanMemory memory;
 };
 /// Stable text: the same for the same stages and blocks.
 std::ostream& operator<<(std::ostream& stream, const PlanReport& report);
@@ -76,6 +86,9 @@ private:
     std::vector<Verdict> verdicts_;
     std::vector<Node> nodes_;
 };
+
+/// @param sinks  Of the graph: they outlive the step.
+[[nodiscard]] PlanMemory memory_of(const Plan& plan, const std::vector<ResourceRecord>& resources, const std::vector<Sink>& sinks);
 
 /// Walks backwards from what is needed after the step (the sinks, and all that the next step reads before it writes it).
 [[nodiscard]] std::vector<Verdict> cull(const std::deque<Stage>& stages, const std::vector<Sink>& sinks,

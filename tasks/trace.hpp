@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <iosfwd>
+#include <map>
 #include <string>
 #include <thread>
 #include <vector>
@@ -32,6 +33,7 @@ struct Digest {
     double longest = 0.0; ///< the longest chain of dependent work: no number of threads is faster
     double overlap = 0.0; ///< two lanes work at the same time, or one works while another waits for messages
     double exposed = 0.0; ///< a lane waits for messages and no thread works
+    std::map<std::string, double> lanes; ///< work of each lane; "" are stages of none
     double imbalance = 0.0; ///< busiest thread over the mean thread, minus one
 };
 std::ostream& operator<<(std::ostream& stream, const Digest& digest);

@@ -39,6 +39,7 @@ public:
             duration[std::size_t(span.node)] += span.end - span.start;
             busy[span.thread] += span.end - span.start;
             digest.work += span.end - span.start;
+            digest.lanes[plan_.stage_of(plan_.nodes()[std::size_t(span.node)]).lane] += span.end - span.start;
             end = std::max(end, span.end);
         }
         ++digest.steps;
@@ -123,8 +124,13 @@ std::ostream& operator<<(std::ostream& stream, const Digest& d)
 {
     constexpr double milli = 1e3;
     const double per_step = milli / double(std::max<std::int64_t>(d.steps, 1));
-    return stream << d.steps << " steps; per step: wall " << d.wall * per_step << " ms, work " << d.work * per_step
-                  << " ms, longest path " << d.longest * per_step << " ms, lanes overlap " << d.overlap * per_step
+    stream << d.steps << " steps; per step: wall " << d.wall * per_step << " ms, work " << d.work * per_step << " ms (";
+    const char* between = "";
+    for (const auto& [lane, work] : d.lanes) {
+        stream << between << (lane.empty() ? "neither" : lane) << ' ' << work * per_step << " ms";
+        between = ", ";
+    }
+    return stream << "), longest path " << d.longest * per_step << " ms, lanes overlap " << d.overlap * per_step
                   << " ms, exposed wait " << d.exposed * per_step << " ms; imbalance of threads " << 100.0 * d.imbalance << " %";
 }
 

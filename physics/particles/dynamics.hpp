@@ -64,6 +64,9 @@ public:
     /// All pairs that may touch before the next rebuild, for reports and tests.
     [[nodiscard]] const core::PairList& pairs() const { return pairs_; }
 
+    /// Memory of particles, pairs and forces on this rank [bytes].
+    [[nodiscard]] std::size_t bytes() const;
+
 private:
     void return_springs(const core::Team& team);
     void refresh_near(const core::Team& team);

@@ -119,6 +119,26 @@ TEST_CASE("the plan says why, in the same words every time")
                         "  keep         1728 B  u\n" // 6 x 6 x 6 doubles
                         "  keep         1728 B  v\n"
                         "  skip            0 B  w\n"
+                                      "memory of fields on this rank: 3456 B, 54 B per cell; 27 carried to the next step, "
+                        "at most 54 in use at once in the order of the text\n"
                         "longest path (2 tasks)\n"
                         "  advance > accept\n");
+}
+
+TEST_CASE("the plan knows how much memory is in use at once")
+{
+    auto state = field("state"), a = field("a"), b = field("b"), c = field("c");
+    StageGraph graph(Layout{{64}}, core::Communicator::self());
+    graph.each_block("first", copy, reads(state), writes(a));
+    graph.each_block("second", copy, reads(a), writes(b));
+    graph.each_block("third", copy, reads(b), writes(c));
+    graph.each_block("fourth", copy, reads(c), writes(state));
+    graph.sink(state);
+    const PlanMemory memory = graph.compile().describe().memory;
+    const std::size_t one = state.bytes();
+    CHECK(one > 64 * sizeof(double)); // with halo
+    CHECK(memory.bytes == 4 * one);
+    CHECK(memory.carried == one);
+    CHECK(memory.most_at_once == 3 * one); // each stage has two of the three others
+    CHECK(memory.cells == 64);
 }

@@ -50,6 +50,8 @@ TEST_CASE("the digest of a trace made by hand has the hand-computed sums")
     CHECK(digest.steps == 1);
     CHECK(digest.wall == 8.0);
     CHECK(digest.work == 6.5);
+    CHECK(digest.lanes.at("fluid") == 4.0);
+    CHECK(digest.lanes.at("particles") == 2.5);
     CHECK(digest.longest == 4.0);  // fluid: 1 + 1 + 2
     CHECK(digest.overlap == 1.5);  // particles work while the fluid waits
     CHECK(digest.exposed == 1.5);  // 1 to 1.5 and 3 to 4

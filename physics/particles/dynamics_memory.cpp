@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+// ParticleDynamics: what particles and lists take of the memory.
+#include "physics/particles/dynamics.hpp"
+
+namespace physics {
+namespace {
+
+template <class T>
+std::size_t room(const std::vector<T>& values)
+{
+    return values.capacity() * sizeof(T);
+}
+
+template <class... Vectors>
+std::size_t room_of_all(const Vectors&... vectors)
+{
+    return (room(vectors) + ...);
+}
+
+std::size_t room_of(const core::ParticleSet& p)
+{
+    std::size_t bytes = room_of_all(p.id, p.species);
+    core::ParticleSet::for_each_column(p, [&](const core::Column& column) { bytes += room(column); });
+    return bytes;
+}
+
+std::size_t room_of(const core::PairList& pairs, const core::NearPairs& near)
+{
+    std::size_t bytes = room_of_all(pairs.first, pairs.second, pairs.image, pairs.row_begin, pairs.row);
+    bytes += room_of_all(near.first, near.second, near.pair, near.image, near.root_mass, near.kind, near.row, near.row_end);
+    for (std::size_t a = 0; a < 3; ++a) bytes += room_of_all(pairs.spring[a], near.spring[a]);
+    return bytes;
+}
+
+} // namespace
+
+std::size_t ParticleDynamics::bytes() const
+{
+    return room_of(particles) + room_of(pairs_, near_) + room_of_all(history.start, history.other, history.spring, forces_) +
+           particles.id.capacity() * sizeof(MotionRecords::Record) + room_of_all(reference_[0], reference_[1], reference_[2]);
+}
+
+} // namespace physics

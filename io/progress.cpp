@@ -18,6 +18,7 @@ namespace {
 std::string progress_text(const StepReport& report, double share, std::optional<double> seconds_left)
 {
     std::string text = fmt::format("step {}  t {:.6g} s  dt {:.3g} s", report.step, report.time, report.time_step);
+    if (!report.limit.empty()) text += fmt::format(" ({})", report.limit);
     if (report.cfl) text += fmt::format("  CFL {:.2f}", *report.cfl);
     if (report.residual) text += fmt::format("  residual {:.1e}", *report.residual);
     if (report.particles) text += fmt::format("  particles {}", *report.particles);

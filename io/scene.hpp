@@ -197,6 +197,7 @@ struct Coupling {
 
 struct Limits {
     double cfl = 1.0; ///< Largest cells crossed by the fluid in a step.
+    double particle_move = 0.25; ///< Largest move of a particle in a step, in widths of the filter.
     bool operator==(const Limits&) const = default;
 };
 

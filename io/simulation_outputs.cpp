@@ -63,6 +63,7 @@ StepReport SimulationOutputs::step_report() const
     report.step = world_.clock().step;
     report.time = world_.time();
     report.time_step = world_.clock().dt;
+    report.limit = world_.step_limit();
     if (const auto* grains = world_.grains()) report.particles = grains->particles.owned;
     return report;
 }

@@ -39,6 +39,10 @@ std::vector<NamedColumns> columns_of(World& world)
     if (const auto* coupling = world.coupling()) {
         const auto owed = std::size_t(coupling->exchange().columns().owed);
         all.push_back({"drag coefficient", {&p.columns[std::size_t(coupling->exchange().columns().drag)]}});
+        if (const int extra = coupling->exchange().columns().extra_force; extra >= 0) {
+            const auto first = std::size_t(extra);
+            all.push_back({"extra force", {&p.columns[first], &p.columns[first + 1], &p.columns[first + 2]}});
+        }
         all.push_back({"owed impulse", {&p.columns[owed], &p.columns[owed + 1], &p.columns[owed + 2]}});
     }
     return all;

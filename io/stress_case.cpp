@@ -18,6 +18,12 @@ static void describe(Schema& s, StressVariant& p)
     s.required("set", "Overrides of the scene, key.path=value", list_value(p.set, ""));
 }
 
+static void describe(Schema& s, StressContinuation& p)
+{
+    s.required("set", "Overrides of the scene, key.path=value", list_value(p.set, ""));
+    s.required("steps", p.steps, "", "Steps to make", at_least(1));
+}
+
 void describe(Schema& s, StressCase& p)
 {
     s.required("name", p.name, "", "Name of the case, that of the file");
@@ -28,6 +34,7 @@ void describe(Schema& s, StressCase& p)
     s.value("squeeze", p.squeeze, "1", "Factor for the distances between the particles at the start", not_negative);
     s.list("variants", p.variants, "Runs that differ in some keys; all must pass");
     s.value("halve_dt", p.halve_dt, "", "How often the run is repeated, each time with half the time step", at_least(0));
+    s.group("go_on", p.go_on, "Steps from a checkpoint of the end, as a scene with other keys");
     s.group("criteria", p.criteria, "What must hold: at most one value, or between two");
     s.value("same_bits", "Executors with which, or 'restart' after which, the final state must be the same", list_value(p.same_bits, ""));
     s.value("refused", p.refused, "", "The run must end in an error with this text");

@@ -9,13 +9,13 @@ namespace io {
 /// What is measured; most are the largest of the run; final_*, settling_speed, flow_speed and ledger are those of its end.
 enum class Measure {
     particle_speed, fluid_speed, energy, pressure, solid_fraction, momentum_defect, exchange_defect,
-    final_particle_speed, final_rms_speed, settling_speed, flow_speed, ledger, pressure_growth
+    final_particle_speed, final_rms_speed, settling_speed, flow_speed, ledger, pressure_growth, continued_change, continued_pressure
 };
 
 struct MeasureWords {
     std::string_view word, unit, meaning;
 };
-inline constexpr std::array<MeasureWords, 13> measures{{
+inline constexpr std::array<MeasureWords, 15> measures{{
     {"particle_speed", "m/s", "Largest speed of a particle"},
     {"fluid_speed", "m/s", "Largest speed of the fluid"},
     {"energy", "J", "Kinetic energy of fluid and particles"},
@@ -29,6 +29,8 @@ inline constexpr std::array<MeasureWords, 13> measures{{
     {"flow_speed", "m/s", "Mean of fluid fraction times velocity along the drive at the end"},
     {"ledger", "N s", "Impulses owed to fluid and particles at the end"},
     {"pressure_growth", "1", "Largest pressure of any variant over that of the first"},
+    {"continued_change", "m/s", "Largest change of a velocity of the fluid in the steps of go_on"},
+    {"continued_pressure", "1", "Largest pressure after the steps of go_on over that before them"},
 }};
 
 /// A number must lie between the two.
@@ -41,7 +43,15 @@ struct Bounds {
 
 struct StressCriteria {
     std::array<std::optional<Bounds>, measures.size()> bounds;
+    /// Measured by whoever runs the case, not while it runs.
+    [[nodiscard]] static bool of_the_end(Measure m) { return m >= Measure::pressure_growth; }
     [[nodiscard]] const std::optional<Bounds>& of(Measure m) const { return bounds[std::size_t(m)]; }
+};
+
+/// Going on from a checkpoint of the end as another scene.
+struct StressContinuation {
+    std::vector<std::string> set;
+    int steps = 0;
 };
 
 struct StressVariant {
@@ -56,6 +66,7 @@ struct StressCase {
     std::optional<double> squeeze;        ///< Distances between particles are multiplied by it at the start.
     std::vector<StressVariant> variants;
     int halve_dt = 0;                     ///< Further variants, each with half the time step of the one before.
+    std::optional<StressContinuation> go_on;
     StressCriteria criteria;
     std::vector<std::string> same_bits;   ///< executors, or "restart"
     std::optional<std::string> refused;   ///< The run must end in an error that contains this.

@@ -82,7 +82,7 @@ StressProbes::StressProbes(World& world, const StressCriteria& criteria) : world
     for (std::size_t m = 0; m < measures.size(); ++m) {
         const auto is_m = [&](const Probe& p) { return p.measure == Measure(m); };
         const bool measured = std::any_of(during_.begin(), during_.end(), is_m) || std::any_of(final_.begin(), final_.end(), is_m);
-        core::require<core::ConfigError>(!criteria.bounds[m] || measured || Measure(m) == Measure::pressure_growth,
+        core::require<core::ConfigError>(!criteria.bounds[m] || measured || StressCriteria::of_the_end(Measure(m)),
                                          core::text("criteria.", measures[m].word, " has no meaning for this scene"));
     }
 }

@@ -43,6 +43,24 @@ void squeeze(World& world, double factor)
         for (double& x : p.position[a]) x = mean[int(a)] + factor * (x - mean[int(a)]);
 }
 
+/// Velocity of the fluid in all cells of this rank, component after component, and the largest pressure.
+struct FlowState {
+    std::vector<double> velocity;
+    double pressure = 0;
+};
+
+FlowState flow_state(World& world)
+{
+    FlowState state;
+    const auto& fluid = std::as_const(world.fluid()->state());
+    for (core::LocalBlock b = 0; b < world.mesh().own_count(); ++b)
+        core::for_each_cell(world.mesh().geometry(b).cells, [&](int i, int j, int k) {
+            for (int c = 0; c < 3; ++c) state.velocity.push_back(fluid.velocity.on(b).component(c)(i, j, k));
+            state.pressure = std::max(state.pressure, std::abs(fluid.pressure.on(b)(i, j, k)));
+        });
+    return state;
+}
+
 /// A world and who runs it.
 class StressRun {
 public:
@@ -87,7 +105,7 @@ public:
         variant_ = variant;
         try {
             const Scene scene = stress_.scene.read(overrides);
-            const double pressure = judge_run(scene);
+            const double pressure = judge_run(scene, overrides);
             if (stress_.refused) add("refused", "ran to the end", *stress_.refused, false);
             if (!stress_.same_bits.empty()) judge_bits(scene);
             return pressure;
@@ -112,7 +130,7 @@ public:
     }
 
 private:
-    double judge_run(const Scene& scene)
+    double judge_run(const Scene& scene, const std::vector<std::string>& overrides)
     {
         StressRun run(stress_, scene, "serial");
         StressProbes probes(run.world(), stress_.criteria);
@@ -127,8 +145,23 @@ private:
         const int kept = run.world().grains() ? run.world().grains()->particles.owned : 0;
         add("particles", std::to_string(kept), std::to_string(particles), kept == particles);
         for (std::size_t m = 0; m < measures.size(); ++m)
-            if (stress_.criteria.bounds[m] && Measure(m) != Measure::pressure_growth) add(Measure(m), probes.value(Measure(m)));
+            if (stress_.criteria.bounds[m] && !StressCriteria::of_the_end(Measure(m))) add(Measure(m), probes.value(Measure(m)));
+        if (stress_.go_on) judge_continuation(run, overrides);
         return probes.value(Measure::pressure);
+    }
+
+    void judge_continuation(StressRun& run, std::vector<std::string> overrides)
+    {
+        const Scratch scratch;
+        const FlowState before = flow_state(run.world());
+        overrides.insert(overrides.end(), stress_.go_on->set.begin(), stress_.go_on->set.end());
+        StressRun again(stress_, stress_.scene.read(overrides), "serial", save_state(run.world(), scratch.path(), 1));
+        for (int n = 0; n < stress_.go_on->steps; ++n) again.step();
+        const FlowState after = flow_state(again.world());
+        double change = 0;
+        for (std::size_t n = 0; n < after.velocity.size(); ++n) change = std::max(change, std::abs(after.velocity[n] - before.velocity[n]));
+        if (stress_.criteria.of(Measure::continued_change)) add(Measure::continued_change, change);
+        if (stress_.criteria.of(Measure::continued_pressure)) add(Measure::continued_pressure, after.pressure / before.pressure);
     }
 
     void judge_bits(const Scene& scene)

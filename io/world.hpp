@@ -5,6 +5,7 @@
 // What the scene does not name is not there.
 #include "io/scene.hpp"
 #include "io/state_copy.hpp"
+#include "physics/fluid/time_step.hpp"
 #include "physics/steps/coupled_step.hpp"
 #include "tasks/exchange_filler.hpp"
 #include "tasks/executor.hpp"
@@ -51,10 +52,14 @@ public:
     /// scene fixes it. Collective.
     /// @throws tasks::StepFailure, core::NumericsError on all ranks alike; the state is then that before the step.
     void step(tasks::Executor& executor);
+    /// Makes the next step no longer than this share of what the limits allow; a failed step does the same by halves.
+    void shorten_next_step(double share) { shortening_ = share; }
     /// Why steps had to be repeated, or coupled by another mode than planned, since the last call.
     [[nodiscard]] std::vector<std::string> take_warnings() { return std::exchange(warnings_, {}); }
     /// The length of the next step [s]. Collective.
     [[nodiscard]] double next_step();
+    /// Which limit next_step() found to be the tightest.
+    [[nodiscard]] const std::string& step_limit() const { return limit_name_; }
     /// Speed along the drive on the axis of the domain [m/s]. Collective.
     [[nodiscard]] double axis_speed() const;
 
@@ -66,7 +71,7 @@ private:
     void try_step(tasks::Executor& executor);
     void put_back();
     void initialise();
-    [[nodiscard]] double fluid_limit() const;
+    [[nodiscard]] physics::TimeStepLimit limit_of_step() const;
 
     Scene scene_;
     core::Communicator ranks_;
@@ -90,6 +95,7 @@ private:
     tasks::ExecutorOptions iterated_options_{.kind = "serial"};
     std::unique_ptr<tasks::Executor> iterated_executor_;
     int sub_steps_ = 0;
+    std::string limit_name_; ///< of the last step
     double shortening_ = 1.0; ///< of the step that is being tried again
     StateCopy before_;
     std::vector<std::string> warnings_;

@@ -5,6 +5,7 @@
 #include "core/grid/surface.hpp"
 #include "io/grid_builder.hpp"
 #include "io/physics_builder.hpp"
+#include "physics/coupling/lift.hpp"
 #include "physics/particles/insertion.hpp"
 #include "physics/particles/time_step.hpp"
 #include <algorithm>
@@ -112,8 +113,10 @@ physics::CouplingParameters coupling_parameters(const Scene& scene)
     p.fluid_density = scene.fluid->material.density;
     p.viscosity = scene.fluid->material.viscosity * p.fluid_density;
     p.gravity = gravity_of(scene);
-    p.drag = coupling.chosen_drag() == DragLaw::seed ? physics::DragLaw::gidaspow : physics::DragLaw::di_felice;
-    p.added_mass = wanted(coupling.added_mass, lightest_ratio < heavy) ? 0.5 : 0.0;
+    p.drag = coupling.chosen_drag() == DragLaw::seed ? physics::DragLaw::kawaguchi : physics::DragLaw::di_felice;
+    if (seed) p.force = physics::FluidForce::material_derivative;
+    if (seed) p.lift_share = physics::magnus_share_measured;
+    p.added_mass = wanted(coupling.added_mass, seed || lightest_ratio < heavy) ? 0.5 : 0.0;
     p.lift = wanted(coupling.lift, seed || lightest_ratio < heavy);
     p.torque = wanted(coupling.torque, true);
     p.filter_width = coupling.filter.in_diameters ? coupling.filter.value * mean_diameter(scene) : coupling.filter.value;

@@ -20,8 +20,9 @@ int plan(const std::string& scene_path, const std::vector<std::string>& override
     const tasks::PlanReport report = world.compile().describe();
     fmt::print("{}\n{} cells in {} blocks", scene.name, world.mesh().total_cells(), world.mesh().blocks());
     if (world.grains()) fmt::print(", {} particles, sub-step {:.3g} s", world.grains()->particles.owned, world.grains()->step());
-    fmt::print("\nfirst step {:.3g} s", world.next_step());
-    if (world.grains()) fmt::print(" = {} sub-steps", world.sub_steps());
+    const double first = world.next_step();
+    fmt::print("\nfirst step {:.3g} s, ruled by: {}", first, world.step_limit());
+    if (world.grains()) fmt::print("; {} sub-steps", world.sub_steps());
     fmt::print("\n");
     if (!world.fluid()) fmt::print("no fluid: no fluid stage, no fluid field\n");
     if (!world.grains()) fmt::print("no particles: no particle stage, no fluid fraction\n");

@@ -20,11 +20,11 @@ struct DragInput {
 /// Smallest fluid fraction a closure sees (continuity is never clipped).
 inline constexpr double smallest_closure_fraction = 0.2;
 
-/// Drag coefficient times Reynolds number over 24, finite at 0: 1 + 0.15 Re^0.687, 0.44 Re / 24 above 1000.
+/// Drag coefficient times Reynolds number over 24, finite at 0: 1 + 0.15 Re^0.687, constant coefficient above 1000.
 /// @source  Schiller, Naumann (1933); jump of 0.4 % at 1000.
-[[nodiscard]] inline double drag_over_stokes(double reynolds)
+[[nodiscard]] inline double drag_over_stokes(double reynolds, double turbulent = 0.44)
 {
-    return reynolds < 1000.0 ? 1.0 + 0.15 * std::pow(reynolds, 0.687) : 0.44 / 24.0 * reynolds;
+    return reynolds < 1000.0 ? 1.0 + 0.15 * std::pow(reynolds, 0.687) : turbulent / 24.0 * reynolds;
 }
 
 /// One sphere in unbounded fluid: 3 pi mu d (1 + 0.15 Re^0.687) [kg/s].
@@ -44,17 +44,30 @@ inline constexpr double smallest_closure_fraction = 0.2;
     return volume * (150.0 * (1.0 - phi) * in.viscosity / (phi * d * d) + 1.75 * in.density * in.slip / d);
 }
 
+/// Numbers in the law of Wen and Yu that its users print differently.
+struct SuspensionNumbers {
+    double exponent = -2.65;  ///< of phi
+    double turbulent = 0.44;  ///< drag coefficient above Re = 1000
+};
+
 /// Suspension: Schiller-Naumann at Re = rho phi |u-v| d / mu times phi^-2.65 [kg/s].
 /// @source  Wen, Yu (1966).
-[[nodiscard]] inline double drag_wen_yu(const DragInput& in)
+[[nodiscard]] inline double drag_wen_yu(const DragInput& in, const SuspensionNumbers& numbers = {})
 {
     const double phi = std::max(in.phi, smallest_closure_fraction);
     const double reynolds = in.density * phi * in.slip * in.diameter / in.viscosity;
-    return 3.0 * std::numbers::pi * in.viscosity * in.diameter * drag_over_stokes(reynolds) * std::pow(phi, -2.65);
+    return 3.0 * std::numbers::pi * in.viscosity * in.diameter * drag_over_stokes(reynolds, numbers.turbulent) * std::pow(phi, numbers.exponent);
 }
 
 /// The seed's law: Ergun up to phi = 0.8, Wen-Yu above. It jumps there (3.7 times at Re = 1000): lineage runs only.
-/// @source  Tsuji, Kawaguchi, Tanaka (1993).
+/// @source  Tsuji, Kawaguchi, Tanaka (1993) with phi^-2.7 and 0.43; the units of Ushijima & Nezu (2001), equation 8, repaired.
+[[nodiscard]] inline double drag_kawaguchi(const DragInput& in)
+{
+    return in.phi > 0.8 ? drag_wen_yu(in, {-2.7, 0.43}) : drag_ergun(in);
+}
+
+/// Ergun up to phi = 0.8, Wen-Yu above, with their own numbers.
+/// @source  Gidaspow (1994).
 [[nodiscard]] inline double drag_gidaspow(const DragInput& in)
 {
     return in.phi > 0.8 ? drag_wen_yu(in) : drag_ergun(in);

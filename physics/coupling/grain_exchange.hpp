@@ -19,10 +19,11 @@ struct ExchangeColumns {
     int spin_before;     ///< [1/s]
     int known_force;     ///< what the sub-steps apply and the fluid does not feel the reaction of: weight, pressure, what is owed [N]
     int force_used;      ///< B G^n [N/m3]
+    int extra_force;     ///< of FluidForce::material_derivative, carried from step to step [N]; -1 without
     int drag;            ///< one column: K [kg/s]
     int added_mass;      ///< one column [kg]
 };
-[[nodiscard]] ExchangeColumns add_exchange_columns(core::ParticleSet& grains);
+[[nodiscard]] ExchangeColumns add_exchange_columns(core::ParticleSet& grains, const CouplingParameters& parameters);
 
 /// What a step is to the grains.
 struct GrainStep {
@@ -71,6 +72,8 @@ public:
 private:
     [[nodiscard]] GrainCoupling coupling_of(const core::ParticleSet& grains, int g, double dt) const;
     [[nodiscard]] double hold_of(const core::ParticleSet& grains, int g) const;
+    /// What material_derivative adds to the pressure force, half of it from the step before.
+    [[nodiscard]] core::Vec3 extra_force(core::ParticleSet& grains, int g, const core::Vec3& per_volume) const;
     [[nodiscard]] core::Vec3 column(const core::ParticleSet& grains, int first, int g) const;
 
     CouplingParameters parameters_;

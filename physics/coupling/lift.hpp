@@ -29,6 +29,10 @@ struct SpinInput {
     return std::numbers::pi / 8.0 * in.density * d * d * d * in.slip.cross(relative);
 }
 
+/// Measured lift over magnus_lift() at Re = 550 to 1600: lift coefficient (0.40 +- 0.10) d |spin| / |u - v|.
+/// @source  Tsuji, Morikawa, Mizuno (1985).
+inline constexpr double magnus_share_measured = 0.4;
+
 /// Shear lift, 1.615 d^2 sqrt(rho mu / |w|) (u - v) x w f(Re, Re_s), w = curl u; zero without vorticity [N].
 /// Sign: in u = +y along x, a grain that lags is pushed to +y.
 /// @source  Saffman (1965); f by Mei (1992), for Re up to 100.

@@ -11,6 +11,7 @@ double drag_coefficient(const CouplingParameters& p, double slip, double fractio
     switch (p.drag) {
     case DragLaw::di_felice: return drag_di_felice(in);
     case DragLaw::gidaspow: return drag_gidaspow(in);
+    case DragLaw::kawaguchi: return drag_kawaguchi(in);
     case DragLaw::gidaspow_smooth: return drag_gidaspow_smooth(in);
     case DragLaw::schiller_naumann: return drag_schiller_naumann(in);
     }

@@ -11,9 +11,16 @@ namespace physics {
 
 enum class DragLaw {
     di_felice,       ///< smooth in phi and slip: the default
-    gidaspow,        ///< the seed's switch from Ergun to Wen-Yu at phi = 0.8
+    gidaspow,        ///< a switch from Ergun to Wen-Yu at phi = 0.8
+    kawaguchi,       ///< the same with the numbers of the seed: exponent -2.7, drag coefficient 0.43 above Re = 1000
     gidaspow_smooth, ///< the same, blended
     schiller_naumann ///< one sphere alone
+};
+
+/// What pushes a grain beside drag, added mass, lift and viscous stress, without drive and weight.
+enum class FluidForce {
+    pressure_gradient,  ///< V (-grad p): carries the grains' share of a bed's drag (set II)
+    material_derivative ///< rho V Du/Dt, as the seed prints it: the same in the fluid alone, nothing in a steady bed
 };
 
 struct CouplingParameters {
@@ -21,8 +28,10 @@ struct CouplingParameters {
     double viscosity = 1e-3;        ///< dynamic [Pa s]
     core::Vec3 gravity = core::Vec3::Zero(); ///< [m/s2]
     DragLaw drag = DragLaw::di_felice;
+    FluidForce force = FluidForce::pressure_gradient;
     double added_mass = 0.5;        ///< coefficient C_m; 0 leaves it out
     bool lift = false;              ///< Magnus, by the spin relative to the fluid
+    double lift_share = 1.0;        ///< of the lift at small Reynolds numbers
     bool torque = true;             ///< viscous
     double filter_width = 0.0;      ///< bandwidth b of the diffusion filter [m]
     std::optional<Mode> mode;       ///< none: chosen from the stability numbers

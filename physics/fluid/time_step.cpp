@@ -22,9 +22,24 @@ private:
     const double *ax_, *ay_, *az_, *x_, *y_, *z_;
 };
 
+/// Largest acceleration along an axis of index space that one of given magnitudes may mean [cells/s2].
+double index_acceleration(const core::BlockGeometry& geometry, const core::Vec3& pull)
+{
+    if (pull.isZero()) return 0;
+    double largest = 0;
+    core::for_each_cell(geometry.cells, [&](int i, int j, int k) {
+        for (const auto& row : geometry.inverse_jacobian) {
+            double a = 0;
+            for (std::size_t n = 0; n < 3; ++n) a += std::abs(row[n](i, j, k) * pull[int(n)]);
+            largest = std::max(largest, a);
+        }
+    });
+    return largest;
+}
+
 } // namespace
 
-TransportRates transport_rates(const core::BlockGeometry& geometry, core::VectorView<const double> velocity)
+TransportRates transport_rates(const core::BlockGeometry& geometry, core::VectorView<const double> velocity, const core::Vec3& pull)
 {
     const core::Extents n = geometry.cells;
     double displacement = 0, distortion = 0;
@@ -42,17 +57,20 @@ TransportRates transport_rates(const core::BlockGeometry& geometry, core::Vector
                     distortion = std::max(distortion, std::max(across, std::abs(here(std::min(i + 1, n.ni - 1)) - u)));
                 }
             }
-    return {displacement, distortion};
+    return {displacement, distortion, index_acceleration(geometry, pull)};
+}
+
+double time_to_reach(double bound, double rate, double growth)
+{
+    if (growth <= 0) return rate > 0 ? bound / rate : std::numeric_limits<double>::infinity();
+    return 2 * bound / (rate + std::sqrt(rate * rate + 4 * growth * bound));
 }
 
 TimeStepLimit time_step_limit(const TransportRates& rates, const TimeStepOptions& options)
 {
     TimeStepLimit limit{options.largest, "largest"};
-    const auto tighten = [&](double dt, std::string_view name) {
-        if (dt < limit.dt) limit = {dt, name};
-    };
-    if (rates.displacement > 0) tighten(options.displacement / rates.displacement, "displacement");
-    if (rates.distortion > 0) tighten(options.distortion / rates.distortion, "distortion");
+    limit.tighten(time_to_reach(options.displacement, rates.displacement, rates.growth), "displacement");
+    limit.tighten(time_to_reach(options.distortion, rates.distortion, 0), "distortion");
     return limit;
 }
 

@@ -12,10 +12,16 @@ namespace physics {
 struct TransportRates {
     double displacement = 0; ///< cells per second, along one axis
     double distortion = 0;   ///< difference of that between neighbouring cells [1/s]
+    double growth = 0;       ///< of displacement by what pulls the fluid [cells/s2]
 };
 
 /// From the interior alone: a function of the state, without messages.
-[[nodiscard]] TransportRates transport_rates(const core::BlockGeometry& geometry, core::VectorView<const double> velocity);
+/// @param pull  Acceleration that the fluid may get, in magnitude along each axis [m/s2].
+[[nodiscard]] TransportRates transport_rates(const core::BlockGeometry& geometry, core::VectorView<const double> velocity,
+                                             const core::Vec3& pull = core::Vec3::Zero());
+
+/// Longest time in which a way rate dt + growth dt^2 stays within bound.
+[[nodiscard]] double time_to_reach(double bound, double rate, double growth);
 
 struct TimeStepOptions {
     double largest = std::numeric_limits<double>::infinity(); ///< [s]
@@ -25,7 +31,12 @@ struct TimeStepOptions {
 
 struct TimeStepLimit {
     double dt;                ///< [s]
-    std::string_view binding; ///< "largest", "displacement" or "distortion"
+    std::string_view binding; ///< "largest", "displacement" or "distortion", or the name of another limit
+    /// Becomes another limit if that is shorter.
+    void tighten(double other, std::string_view name)
+    {
+        if (other < dt) *this = {other, name};
+    }
 };
 
 [[nodiscard]] TimeStepLimit time_step_limit(const TransportRates& rates, const TimeStepOptions& options);

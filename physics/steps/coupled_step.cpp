@@ -27,7 +27,7 @@ CoupledStep::CoupledStep(const core::Mesh& mesh, const core::Communicator& ranks
                          ParticleDynamics& grains, ParticleStepper& stepper, const CouplingParameters& parameters)
     : mesh_(mesh), ranks_(ranks), fluid_(fluid), dynamics_(grains), stepper_(stepper), parameters_(parameters), locator_(mesh),
       halos_(halos), plan_(mesh, ranks, 1, 1, core::HaloShape::full), fields_(mesh),
-      exchange_(parameters, add_wet_columns(grains.particles), add_exchange_columns(grains.particles)),
+      exchange_(parameters, add_wet_columns(grains.particles), add_exchange_columns(grains.particles, parameters)),
       pressure_({mesh, fluid.walls(), halos}, ranks, fluid.parameters().tolerances),
       filter_(make_mesh_links(mesh, ranks.rank(), BehindWalls::nothing).topology, {parameters.filter_width}),
       face_mobility_({"mobility on faces", "m3 s/kg", 0, false}, mesh.own_cells()),

@@ -47,6 +47,13 @@ TEST_CASE("a periodic end has no wall")
                           with("[axial]", "[x]"))) == "3:62 8 cells along y do not divide into 3 blocks");
 }
 
+TEST_CASE("slip walls are refused rather than computed as others")
+{
+    const auto box = with("pipe: { diameter: 50 mm, length: 90 mm }",
+                          "box: { size: [9 mm, 9 mm, 9 mm], cells: [8, 8, 8], walls: { y_low: slip } }");
+    CHECK(problem_of(with("[axial]", "[x]", box)) == "3:70 walls along which the fluid slips cannot be computed yet");
+}
+
 TEST_CASE("particles need contact, names of their own, and room")
 {
     CHECK(problem_of(with("contact: { stiffness: 5 kN/m }\n", "")) == "8:1 particles need 'contact'");

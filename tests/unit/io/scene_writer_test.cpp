@@ -38,7 +38,7 @@ TEST_CASE("every value survives the resolved text")
     scene.name = "quotes \" \\ and: colons # ünïcode";
     scene.grid.pipe.reset();
     scene.grid.box = io::BoxGrid{{0.1, 1.0 / 3.0, 0.2}, {4, 6, 8}, {1, 2, 4}, {}};
-    scene.grid.box->walls.y_high = io::WallKind::slip;
+    scene.grid.box->walls.y_high = io::WallKind::no_slip;
     scene.grid.periodic = {io::Axis::x, io::Axis::z};
     scene.fluid->material.name = "null";
     scene.fluid->drive = io::Drive{-3.0, io::Axis::z, 2.5, {}};

@@ -7,7 +7,7 @@
 #include "physics/fluid/drive.hpp"
 #include "physics/fluid/gradient.hpp"
 #include "physics/fluid/hermite.hpp"
-#include "physics/fluid/time_step.hpp"
+#include "physics/coupling/time_step.hpp"
 #include <complex>
 #include <doctest/doctest.h>
 #include <numbers>
@@ -100,4 +100,10 @@ TEST_CASE("the time step is bound by the tightest limit")
     CHECK(physics::time_step_limit({0, 0}, options).binding == "largest");
     CHECK(physics::time_step_limit({4, 1}, options).dt == doctest::Approx(0.2));
     CHECK(physics::time_step_limit({4, 5}, options).binding == "distortion");
+    // From rest, 0.8 cells at 5 cells/s2: 5 dt2 = 0.8.
+    CHECK(physics::time_step_limit({0, 0, 5}, options).dt == doctest::Approx(0.4));
+    // A quarter of a width of 4 mm at 0.1 m/s; from rest under 10 m/s2: 10 dt2 = 1 mm.
+    CHECK(physics::grain_move_limit(0.25, 4e-3, 0.1, 0.0) == doctest::Approx(0.01));
+    CHECK(physics::grain_move_limit(0.25, 4e-3, 0.0, 10.0) == doctest::Approx(0.01));
+    CHECK(std::isinf(physics::grain_move_limit(0.25, 0.0, 1.0, 10.0)));
 }

@@ -122,6 +122,40 @@ TEST_CASE("a bed that cannot move lets through what Ergun's law says")
     }
 }
 
+TEST_CASE("in the seed's closures grains of a steady bed feel drag alone, so that less gradient drives the same flow")
+{
+    const double d = 2e-3, edge = 16e-3 / 6, gradient = 1000;
+    CoupledBox box;
+    box.size = {16e-3, 16e-3, 16e-3};
+    box.cells = {8, 8, 8};
+    box.periodic = everywhere;
+    box.density_ratio = 1e7;
+    box.pressure_gradient = gradient;
+    io::Scene scene = scene_of(box, 1);
+    scene.coupling->preset = io::CouplingPreset::seed;
+    scene.coupling->drag = io::DragLaw::seed;
+    scene.coupling->added_mass = io::Switch::automatic;
+    CoupledRun run(scene);
+    run.place(cubes({6, 6, 6}, edge, {1e-4, 2e-4, 3e-4}));
+    run.start();
+    io::MomentumLedger books(run.world());
+    for (int n = 0; n < 200; ++n) {
+        run.step();
+        books.update();
+        CHECK(books.exchange_defect() < 1e-12); // the fluid feels what the grains get
+        CHECK(books.defect() < 1e-8);
+    }
+    // G = beta u instead of phi G = beta u: Ergun's pressure drop times phi.
+    const double solid = 432 * volume_of(d) / box.size.prod(), phi = 1 - solid, mu = 1e-3, rho = 1000;
+    const double viscous = 150 * solid * solid * mu / (phi * phi * d * d), inertial = 1.75 * solid * rho / (phi * phi * d);
+    const double expected = 2 * gradient / (viscous + std::sqrt(viscous * viscous + 4 * inertial * gradient));
+    const double superficial = run.integral([&](core::LocalBlock b, int i, int j, int k) {
+        return run.world().coupling()->fields().fraction.on(b)(i, j, k) * run.world().fluid()->state().velocity.on(b).x(i, j, k);
+    }) / box.size.prod();
+    std::printf("seed, phi %.3f: U %.6f, expected %.6f, ratio %.5f\n", phi, superficial, expected, superficial / expected);
+    CHECK(superficial == doctest::Approx(expected).epsilon(0.02)); // the lattice is not quite uniform after the filter
+}
+
 TEST_CASE("one sphere settles as its equation of motion says")
 {
     CoupledBox box;

@@ -53,6 +53,18 @@ TEST_CASE("the seed's law jumps at phi = 0.8 as published, the default does not"
     }
 }
 
+TEST_CASE("the seed's drag has the numbers that its authors print")
+{
+    // 2 mm in water at 0.1 m/s, phi = 0.9: Re = 180, 1 + 0.15 Re^0.687 = 6.314513, phi^-2.7 = 1.329062, 3 pi mu d = 1.884956e-5.
+    CHECK(physics::drag_kawaguchi(water(0.1, 0.9, 2e-3)) == doctest::Approx(1.884956e-5 * 6.314513 * 1.329062).epsilon(1e-6));
+    // At 1 m/s: Re = 1800, 0.43 / 24 Re = 32.25.
+    CHECK(physics::drag_kawaguchi(water(1.0, 0.9, 2e-3)) == doctest::Approx(1.884956e-5 * 32.25 * 1.329062).epsilon(1e-6));
+    // phi = 0.5: V (150 0.5 mu / (0.5 d2) + 1.75 rho 0.1 / d) = 4.18879e-9 (37500 + 87500).
+    CHECK(physics::drag_kawaguchi(water(0.1, 0.5, 2e-3)) == doctest::Approx(5.235988e-4).epsilon(1e-6));
+    // The switch is sharp, and the dense side includes 0.8.
+    CHECK(physics::drag_kawaguchi(water(0.1, 0.8, 2e-3)) == physics::drag_ergun(water(0.1, 0.8, 2e-3)));
+}
+
 TEST_CASE("added mass of one sphere is half the displaced fluid, of a suspension more")
 {
     CHECK(physics::added_mass_zuber(0.0) == 0.5);

@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#include "physics/coupling/filter_group.hpp"
+
+namespace physics {
+namespace {
+
+/// Rows of all blocks: body(block, j, k, flat place of the first cell, cells).
+template <class Body>
+void for_rows(const core::Team& team, const BlockLayout& layout, Body body)
+{
+    layout.for_pieces(team, [&](int n) {
+        const auto& p = layout.pieces()[std::size_t(n)];
+        const auto c = layout.cells(p.block);
+        for (int row = p.first(c.nj * c.nk); row < p.last(c.nj * c.nk); ++row)
+            body(p.block, row % c.nj, row / c.nj, layout.origin(p.block) + std::ptrdiff_t(row) * c.ni, c.ni);
+    });
+}
+
+} // namespace
+
+FilterGroup::FilterGroup(const FilterOperator& filter) : filter_(&filter)
+{
+    for (auto& value : value_) value.assign(filter.mesh.layout.size(), Lanes{});
+}
+
+void FilterGroup::put(const core::Team& team, int first, int count, const FieldsIn& fields)
+{
+    for_rows(team, filter_->mesh.layout, [&](core::LocalBlock b, int j, int k, std::ptrdiff_t at, int cells) {
+        Lanes* to = value_[0].data() + at;
+        if (count < width) std::fill_n(to, cells, Lanes{});
+        for (int f = 0; f < count; ++f) {
+            const double* from = fields(b, first + f).row(j, k);
+            for (int i = 0; i < cells; ++i) to[i].field[f] = from[i];
+        }
+    });
+    if (filter_->polynomial.steps.empty()) sum_.resize(value_[0].size());
+}
+
+void FilterGroup::take(const core::Team& team, int first, int count, const FieldsOut& fields) const
+{
+    const FilterPolynomial& polynomial = filter_->polynomial;
+    const auto& result = polynomial.steps.empty() && polynomial.degree() > 0 ? sum_ : before(polynomial.degree() + 1);
+    for_rows(team, filter_->mesh.layout, [&](core::LocalBlock b, int j, int k, std::ptrdiff_t at, int cells) {
+        const Lanes* from = result.data() + at;
+        for (int f = 0; f < count; ++f) {
+            double* to = fields(b, first + f).row(j, k);
+            for (int i = 0; i < cells; ++i) to[i] = from[i].field[f];
+        }
+    });
+}
+
+void FilterGroup::start_ghosts(int number, const core::Communicator& communicator, core::Pending& pending)
+{
+    messages_.start_ghosts(filter_->mesh, std::span(value_[std::size_t(number + 1) % 2]), communicator, pending);
+}
+
+/// Calls finish(cell, value, y value) for every cell, all lanes at once, with y of filter_polynomial.hpp but without what
+/// comes over half links; then correct(cell, change of y value) for each of those: no branch stands in the way of either loop.
+template <class Finish, class Correct>
+void FilterGroup::sweep(const core::Team& team, int number, Finish finish, Correct correct) const
+{
+    const LevelMesh& mesh = filter_->mesh;
+    const Lanes* x = before(number).data();
+    const FilterOperator::Cell* cell = filter_->cells.data();
+    mesh.layout.for_pieces(team, [&](int piece) {
+        const Piece& p = mesh.layout.pieces()[std::size_t(piece)];
+        const core::Extents cells = mesh.layout.cells(p.block);
+        const std::ptrdiff_t row = cells.ni, plane = row * cells.nj;
+        for (auto c = p.begin; c < p.end; ++c) {
+            const auto* a = cell + c;
+            const Lanes* v = x + c;
+            const std::array<double, 6> t{a[0].low_face[0], a[1].low_face[0],   a[0].low_face[1],
+                                          a[row].low_face[1], a[0].low_face[2], a[plane].low_face[2]};
+            Lanes y;
+#pragma omp simd
+            for (int f = 0; f < width; ++f) {
+                const double q = v->field[f];
+                const double outflow = t[0] * (q - v[-1].field[f]) + t[1] * (q - v[1].field[f]) + t[2] * (q - v[-row].field[f]) +
+                                       t[3] * (q - v[row].field[f]) + t[4] * (q - v[-plane].field[f]) + t[5] * (q - v[plane].field[f]);
+                y.field[f] = q - a->weight * outflow;
+            }
+            finish(c, *v, y);
+        }
+        for (int h = mesh.piece_halves[std::size_t(piece)]; h < mesh.piece_halves[std::size_t(piece) + 1]; ++h) {
+            const HalfLink& half = mesh.halves[std::size_t(h)];
+            const double part = filter_->half[std::size_t(h)];
+            Lanes change;
+#pragma omp simd
+            for (int f = 0; f < width; ++f) change.field[f] = part * (x[half.other].field[f] - x[half.cell].field[f]);
+            correct(half.cell, change);
+        }
+    });
+}
+
+void FilterGroup::explicit_step(const core::Team& team, int number)
+{
+    const double share = filter_->polynomial.steps[std::size_t(number - 1)], kept = 1.0 - share;
+    Lanes* next = after(number).data();
+    sweep(
+        team, number,
+        [=](std::ptrdiff_t c, const Lanes& x, const Lanes& y) {
+#pragma omp simd
+            for (int f = 0; f < width; ++f) next[c].field[f] = kept * x.field[f] + share * y.field[f];
+        },
+        [=](int c, const Lanes& change) {
+#pragma omp simd
+            for (int f = 0; f < width; ++f) next[c].field[f] += share * change.field[f];
+        });
+}
+
+/// The zeroth and first of the sum.
+void FilterGroup::first_term(const core::Team& team)
+{
+    const double zeroth = filter_->polynomial.coefficients[0], first = filter_->polynomial.coefficients[1];
+    Lanes *next = after(1).data(), *sum = sum_.data();
+    sweep(
+        team, 1,
+        [=](std::ptrdiff_t c, const Lanes& x, const Lanes& y) {
+#pragma omp simd
+            for (int f = 0; f < width; ++f) {
+                next[c].field[f] = -y.field[f];
+                sum[c].field[f] = zeroth * x.field[f] - first * y.field[f];
+            }
+        },
+        [=](int c, const Lanes& change) {
+#pragma omp simd
+            for (int f = 0; f < width; ++f) {
+                next[c].field[f] -= change.field[f];
+                sum[c].field[f] -= first * change.field[f];
+            }
+        });
+}
+
+void FilterGroup::next_term(const core::Team& team, int number)
+{
+    const double term = filter_->polynomial.coefficients[std::size_t(number)];
+    Lanes *next = after(number).data(), *sum = sum_.data();
+    sweep(
+        team, number,
+        [=](std::ptrdiff_t c, const Lanes&, const Lanes& y) {
+#pragma omp simd
+            for (int f = 0; f < width; ++f) {
+                const double value = -2.0 * y.field[f] - next[c].field[f];
+                next[c].field[f] = value;
+                sum[c].field[f] += term * value;
+            }
+        },
+        [=](int c, const Lanes& change) {
+#pragma omp simd
+            for (int f = 0; f < width; ++f) {
+                next[c].field[f] -= 2.0 * change.field[f];
+                sum[c].field[f] -= 2.0 * term * change.field[f];
+            }
+        });
+}
+
+void FilterGroup::pass(const core::Team& team, int number)
+{
+    if (!filter_->polynomial.steps.empty()) explicit_step(team, number);
+    else if (number == 1) first_term(team);
+    else next_term(team, number);
+}
+
+} // namespace physics

@@ -28,7 +28,7 @@ double wave_error(int axial_cells)
     const auto wave = [&](core::LocalBlock b, int i, int j, int k) { return std::sin(2 * std::numbers::pi * mesh.geometry(b).centre(i, j, k).x()); };
     each_cell([&](core::LocalBlock b, int i, int j, int k) {
         q.on(b).x(i, j, k) = wave(b, i, j, k);
-        displacement.on(b).x(i, j, k) = 0.4;
+        displacement.on(b).y(i, j, k) = 0.4; // the pipe runs along j
     });
     for (int step = 0; step < 5 * axial_cells / 2; ++step) {
         exchange.fill(q);

@@ -88,7 +88,7 @@ TEST_CASE("the filter is symmetric in the volume-weighted product, conserves the
             std::vector<core::ScalarField> filtered{x, y, one};
             c.apply(filtered);
             const auto &sx = filtered[0], &sy = filtered[1], &s1 = filtered[2];
-            CHECK(c.filter.degree() > 5);
+            CHECK(c.filter.degree() > (most_steps == 0 ? 5 : 3));
             // Round-off of some ten passes over some 300 cells.
             CHECK(std::abs(c.product(x, sy) - c.product(sx, y)) < 1e-13 * c.product(x, y));
             CHECK(std::abs(c.product(one, sx) - c.product(one, x)) < 1e-14 * c.product(one, x));

@@ -57,6 +57,21 @@ HaloExchange::HaloExchange(const Mesh& mesh, const Communicator& communicator, i
     : communicator_(communicator.duplicate())
 {
     request(mesh, communicator, field_halo, width, shape);
+    find_copies();
+}
+
+void HaloExchange::find_copies()
+{
+    for (const Row& row : rows_) {
+        const Source& source = sources_[std::size_t(row.first)];
+        if (row.last - row.first > 1 || source.rank >= 0) {
+            mixed_rows_.push_back(row);
+            continue;
+        }
+        const bool same = !copies_.empty() && copies_.back().target == row.target.block && copies_.back().source == source.place.block;
+        if (!same) copies_.push_back({row.target.block, source.place.block, {}});
+        copies_.back().cells.push_back({row.target.offset, source.place.offset});
+    }
 }
 
 void HaloExchange::request(const Mesh& mesh, const Communicator& communicator, int field_halo, int width, HaloShape shape)
@@ -143,7 +158,13 @@ void HaloExchange::finish_arrays(const Arrays& arrays, const Flight& flight) con
         return s.rank < 0 ? arrays[std::size_t(s.place.block)][a][s.place.offset]
                           : flight.received[std::size_t(s.rank)][std::size_t(s.slot) * count + a];
     };
-    for (const Row& row : rows_) {
+    for (const Copies& block : copies_)
+        for (std::size_t a = 0; a < count; ++a) {
+            double* to = arrays[std::size_t(block.target)][a];
+            const double* from = arrays[std::size_t(block.source)][a];
+            for (const auto& cell : block.cells) to[cell.to] = from[cell.from];
+        }
+    for (const Row& row : mixed_rows_) {
         const auto& target = arrays[std::size_t(row.target.block)];
         const Source& first = sources_[std::size_t(row.first)];
         for (std::size_t a = 0; a < count; ++a) {

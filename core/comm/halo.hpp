@@ -92,10 +92,19 @@ private:
         CellPlace target;
         int first, last; ///< in sources_
     };
+    /// Halo cells of one block that are copies of cells of another block of this rank.
+    struct Copies {
+        LocalBlock target, source;
+        struct Offsets {
+            std::ptrdiff_t to, from;
+        };
+        std::vector<Offsets> cells;
+    };
 
     template <std::size_t N>
     static Arrays arrays_of(FieldStorage<N>& field);
     void request(const Mesh& mesh, const Communicator& communicator, int field_halo, int width, HaloShape shape);
+    void find_copies();
     void start_arrays(const Arrays& arrays, Flight& flight, const Communicator& space) const;
     void finish_arrays(const Arrays& arrays, const Flight& flight) const;
     void start_transpose_arrays(const Arrays& arrays, Flight& flight, const Communicator& space) const;
@@ -104,6 +113,8 @@ private:
 
     Communicator communicator_;
     std::vector<Row> rows_;
+    std::vector<Row> mixed_rows_;   ///< those of rows_ with a source on another rank or several sources
+    std::vector<Copies> copies_;    ///< the others
     std::vector<Source> sources_;
     std::vector<std::vector<CellPlace>> wanted_from_here_; ///< [rank]: cells whose values that rank asks for
     std::vector<std::ptrdiff_t> wanted_there_;             ///< [rank]: number of values this rank asks for

@@ -91,7 +91,9 @@ void fill_face(BlockGeometry& g, const Topology& topology, const Vertices& v, Bl
     const Vec3 d = to - from;
     const double across = shape.area.dot(d), t = shape.area.squaredNorm() / across;
     const Vec3 cross = shape.area - t * d;
+    const Vec3 apart = centre(g, c) - centre(g, shifted(c, axis, -1));
     FaceMetrics& f = g.face[std::size_t(axis)];
+    f.inverse_square(c.i, c.j, c.k) = 1 / apart.squaredNorm();
     f.area_x(c.i, c.j, c.k) = shape.area.x();
     f.area_y(c.i, c.j, c.k) = shape.area.y();
     f.area_z(c.i, c.j, c.k) = shape.area.z();
@@ -108,7 +110,7 @@ void fill_faces(BlockGeometry& g, const Topology& topology, const Vertices& v, B
         Extents n = g.cells;
         (axis == 0 ? n.ni : axis == 1 ? n.nj : n.nk) += 1;
         FaceMetrics& f = g.face[std::size_t(axis)];
-        for (auto* array : {&f.area_x, &f.area_y, &f.area_z, &f.transmissibility, &f.cross_x, &f.cross_y, &f.cross_z, &f.weight})
+        for (auto* array : {&f.area_x, &f.area_y, &f.area_z, &f.transmissibility, &f.cross_x, &f.cross_y, &f.cross_z, &f.inverse_square, &f.weight})
             *array = Array3<double>(n, 0, 0.0);
         for_each_cell(n, [&](int i, int j, int k) { fill_face(g, topology, v, block, axis, {i, j, k}); });
     }

@@ -5,16 +5,13 @@
 namespace physics {
 namespace {
 
-/// Rows of all blocks: body(block, j, k, flat place of the first cell, cells).
+/// Rows of a piece: body(j, k, flat place of the first cell, cells).
 template <class Body>
-void for_rows(const core::Team& team, const BlockLayout& layout, Body body)
+void for_rows(const BlockLayout& layout, const Piece& p, Body body)
 {
-    layout.for_pieces(team, [&](int n) {
-        const auto& p = layout.pieces()[std::size_t(n)];
-        const auto c = layout.cells(p.block);
-        for (int row = p.first(c.nj * c.nk); row < p.last(c.nj * c.nk); ++row)
-            body(p.block, row % c.nj, row / c.nj, layout.origin(p.block) + std::ptrdiff_t(row) * c.ni, c.ni);
-    });
+    const auto c = layout.cells(p.block);
+    for (int row = p.first(c.nj * c.nk); row < p.last(c.nj * c.nk); ++row)
+        body(row % c.nj, row / c.nj, layout.origin(p.block) + std::ptrdiff_t(row) * c.ni, c.ni);
 }
 
 } // namespace
@@ -26,26 +23,36 @@ FilterGroup::FilterGroup(const FilterOperator& filter) : filter_(&filter)
 
 void FilterGroup::put(const core::Team& team, int first, int count, const FieldsIn& fields)
 {
-    for_rows(team, filter_->mesh.layout, [&](core::LocalBlock b, int j, int k, std::ptrdiff_t at, int cells) {
-        Lanes* to = value_[0].data() + at;
-        if (count < width) std::fill_n(to, cells, Lanes{});
-        for (int f = 0; f < count; ++f) {
-            const double* from = fields(b, first + f).row(j, k);
-            for (int i = 0; i < cells; ++i) to[i].field[f] = from[i];
-        }
+    const BlockLayout& layout = filter_->mesh.layout;
+    layout.for_pieces(team, [&](int n) {
+        const Piece& p = layout.pieces()[std::size_t(n)];
+        std::array<core::View<const double>, width> from;
+        for (int f = 0; f < count; ++f) from[std::size_t(f)] = fields(p.block, first + f);
+        for_rows(layout, p, [&](int j, int k, std::ptrdiff_t at, int cells) {
+            Lanes* to = value_[0].data() + at;
+            if (count < width) std::fill_n(to, cells, Lanes{});
+            for (int f = 0; f < count; ++f) {
+                const double* row = from[std::size_t(f)].row(j, k);
+                for (int i = 0; i < cells; ++i) to[i].field[f] = row[i];
+            }
+        });
     });
     if (filter_->polynomial.steps.empty()) sum_.resize(value_[0].size());
 }
 
 void FilterGroup::take(const core::Team& team, int first, int count, const FieldsOut& fields) const
 {
+    const BlockLayout& layout = filter_->mesh.layout;
     const FilterPolynomial& polynomial = filter_->polynomial;
     const auto& result = polynomial.steps.empty() && polynomial.degree() > 0 ? sum_ : before(polynomial.degree() + 1);
-    for_rows(team, filter_->mesh.layout, [&](core::LocalBlock b, int j, int k, std::ptrdiff_t at, int cells) {
-        const Lanes* from = result.data() + at;
+    layout.for_pieces(team, [&](int n) {
+        const Piece& p = layout.pieces()[std::size_t(n)];
         for (int f = 0; f < count; ++f) {
-            double* to = fields(b, first + f).row(j, k);
-            for (int i = 0; i < cells; ++i) to[i] = from[i].field[f];
+            const core::View<double> to = fields(p.block, first + f);
+            for_rows(layout, p, [&](int j, int k, std::ptrdiff_t at, int cells) {
+                double* row = to.row(j, k);
+                for (int i = 0; i < cells; ++i) row[i] = result[std::size_t(at + i)].field[f];
+            });
         }
     });
 }

@@ -51,6 +51,24 @@ void GrainPlaces::deposit(core::LocalBlock b, std::span<const double> quantity, 
     for (const int g : in_block(b)) core::deposit(stencil(g), quantity[std::size_t(g)], field);
 }
 
+void GrainPlaces::sample(core::LocalBlock b, std::span<const core::View<const double>> fields, std::span<std::vector<double>> columns) const
+{
+    std::array<std::ptrdiff_t, 8> at{};
+    std::array<double, 8> weight{};
+    for (const int g : in_block(b)) {
+        std::size_t corner = 0;
+        core::for_each_hat(stencil(g), [&](int i, int j, int k, double w) {
+            at[corner] = fields[0].offset(i, j, k);
+            weight[corner++] = w;
+        });
+        for (std::size_t f = 0; f < fields.size(); ++f) {
+            double sum = 0;
+            for (std::size_t c = 0; c < 8; ++c) sum += weight[c] * fields[f].at(at[c]);
+            columns[f][std::size_t(g)] = sum;
+        }
+    }
+}
+
 void GrainPlaces::sample(core::LocalBlock b, core::View<const double> field, std::span<double> value) const
 {
     for (const int g : in_block(b)) value[std::size_t(g)] = core::sample(stencil(g), field);

@@ -30,6 +30,8 @@ public:
     void deposit(core::LocalBlock b, std::span<const double> quantity, core::View<double> field) const;
     /// Sets the value at each grain of the block; the first halo layer of the field must be filled, walls included.
     void sample(core::LocalBlock b, core::View<const double> field, std::span<double> value) const;
+    /// The same for fields of one shape, one column each: bits are the same.
+    void sample(core::LocalBlock b, std::span<const core::View<const double>> fields, std::span<std::vector<double>> columns) const;
 
 private:
     void sort_into_blocks(const core::Mesh& mesh, const core::ParticleSet& grains);

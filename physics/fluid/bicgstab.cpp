@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "physics/fluid/krylov_parts.hpp"
 
+#include <algorithm>
+
 namespace physics {
 
 using detail::Flat;
@@ -57,7 +59,8 @@ KrylovProcess bicgstab(const core::Team& team, KrylovWorkspace& work, const Kryl
     detail::accept_right(team, work, options, right, report);
 
     for (int round = 0;; ++round) { // a round ends when the recursion converges or breaks down
-        co_yield KrylovDemand{Kind::apply, x, w.v};
+        if (round == 0 && options.from_zero) std::fill(w.v.begin(), w.v.end(), 0.0);
+        else co_yield KrylovDemand{Kind::apply, x, w.v};
         detail::form_residual(team, work, right.data(), w.v.data(), w.r.data());
         co_yield sum;
         double norm = std::sqrt(sums.total(0)), rho = sums.total(0), beta = 0.0, omega = 0.0;

@@ -19,6 +19,7 @@ struct KrylovOptions {
     double absolute = 0.0;
     int most_iterations = 200;
     bool singular = false;          ///< constants are the null space, on both sides
+    bool from_zero = false;         ///< the first guess is zero: its residual is the right-hand side
     double largest_defect = 1e-6;   ///< of a singular system: net source over the sum of its magnitudes
     std::string unknown = "pressure"; ///< for messages
 };

@@ -18,7 +18,7 @@ struct FluidFields {
           displacement({"displacement", "cells", 0, false}, mesh.own_cells()),
           advected({"advected velocity", "m/s", 0, false}, mesh.own_cells()),
           predicted({"predicted velocity", "m/s", 1, false}, mesh.own_cells()),
-          diffusion({"diffusion of predicted velocity", "m2/s", 0, false}, mesh.own_cells()),
+          viscous_change({"viscous change of velocity", "m/s", 0, false}, mesh.own_cells()),
           face_scratch({"flux of a gradient", "", 0, false}, mesh.own_cells()),
           predicted_flux({"predicted volume flux", "m3/s", 0, false}, mesh.own_cells()),
           remembered_flux({"remembered volume flux", "m3/s", 0, false}, mesh.own_cells()),
@@ -37,7 +37,7 @@ struct FluidFields {
     core::VectorField index_velocity, displacement;
     core::VectorField advected;       ///< source at the departure points
     core::VectorField predicted;      ///< before the projection
-    core::VectorField diffusion;      ///< net flux of its gradient before viscosity has been made implicit
+    core::VectorField viscous_change; ///< by implicit viscosity: a guess, then what it came to
     core::FaceField face_scratch, predicted_flux;
     core::FaceField remembered_flux;       ///< of flux_memory.hpp
     core::ScalarField remembered_outflow;  ///< what the solver left of the net outflow of the last flux

@@ -77,23 +77,17 @@ void FluidStep::declare_boundaries(tasks::StageGraph& graph)
         [this](LocalBlock b, VectorView<double> q, Vectors u) { mirror_source(walls_of(b), 3, u, q); }, reads(halo(state_.velocity, 3)));
 }
 
-void FluidStep::declare_velocity_gradients(tasks::StageGraph& graph, const std::string& name, core::VectorField& velocity)
+void FluidStep::declare_explicit_viscosity(tasks::StageGraph& graph)
 {
     auto& f = fields_;
     graph.each_block(
-        name,
+        "gradient of velocity",
         [this](LocalBlock b, Vectors u, VectorView<double> x, VectorView<double> y, VectorView<double> z) {
             gradient(geometry(b), geometry(b).wall_gradient, u.x, x);
             gradient(geometry(b), geometry(b).wall_gradient, u.y, y);
             gradient(geometry(b), geometry(b).wall_gradient, u.z, z);
         },
-        reads(halo(velocity, 1)), writes(f.gradient_x, f.gradient_y, f.gradient_z));
-}
-
-void FluidStep::declare_explicit_viscosity(tasks::StageGraph& graph)
-{
-    auto& f = fields_;
-    declare_velocity_gradients(graph, "gradient of velocity", state_.velocity);
+        reads(halo(state_.velocity, 3)), writes(f.gradient_x, f.gradient_y, f.gradient_z));
     graph.each_block(
         "viscous acceleration",
         [this](LocalBlock b, Vectors u, Vectors gx, Vectors gy, Vectors gz, FaceView<double> scratch, VectorView<double> out) {
@@ -145,22 +139,18 @@ void FluidStep::declare_advection(tasks::StageGraph& graph)
 void FluidStep::declare_implicit_viscosity(tasks::StageGraph& graph)
 {
     auto& f = fields_;
-    declare_velocity_gradients(graph, "gradient of predicted velocity", f.predicted);
     graph.each_block(
-        "diffusion of predicted velocity",
-        [this](LocalBlock b, Vectors u, Vectors gx, Vectors gy, Vectors gz, FaceView<double> scratch, VectorView<double> out) {
-            const std::array gradients{gx, gy, gz};
-            for (int c = 0; c < 3; ++c)
-                diffusive_inflow(geometry(b), walls_of(b), u.component(c), gradients[std::size_t(c)], scratch, out.component(c));
+        "guess of viscous change",
+        [](LocalBlock, Vectors viscous, const FluidClock& clock, VectorView<double> change) {
+            map_components(change, [step = clock.implicit_share() * clock.dt](double a) { return step * a; }, viscous);
         },
-        reads(halo(f.predicted, 1), halo(f.gradient_x, 1), halo(f.gradient_y, 1), halo(f.gradient_z, 1)),
-        writes(f.face_scratch, f.diffusion));
+        reads(f.viscous, clock_), writes(f.viscous_change));
     graph.whole(
         "implicit viscosity",
-        [this](tasks::Lane& lane, const core::VectorField& diffusion, const FluidClock& clock, core::VectorField& predicted) {
-            return viscosity_system_->solve(lane, clock.implicit_share() * clock.dt * parameters_.viscosity, diffusion, predicted);
+        [this](tasks::Lane& lane, const FluidClock& clock, core::VectorField& change, core::VectorField& predicted) {
+            return viscosity_system_->solve(lane, clock.implicit_share() * clock.dt * parameters_.viscosity, predicted, change);
         },
-        reads(f.diffusion, clock_), updates(f.predicted));
+        reads(clock_), updates(f.viscous_change, f.predicted));
 }
 
 } // namespace physics

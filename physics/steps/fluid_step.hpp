@@ -39,6 +39,7 @@ public:
     [[nodiscard]] const FluidFields& fields() const { return fields_; }
     [[nodiscard]] const std::vector<BlockWalls>& walls() const { return walls_; }
     [[nodiscard]] PressureSystem& pressure_system() { return pressure_system_; }
+    [[nodiscard]] const PressureSystem& pressure_system() const { return pressure_system_; }
     [[nodiscard]] const ViscositySystem* viscosity_system() const { return viscosity_system_.get(); }
     [[nodiscard]] const tasks::PerBlock<MomentumBudget>& budget() const { return budget_; }
 
@@ -49,7 +50,6 @@ private:
     void declare_face_flux(tasks::StageGraph& graph);
     void declare_correction(tasks::StageGraph& graph);
     void declare_budget(tasks::StageGraph& graph);
-    void declare_velocity_gradients(tasks::StageGraph& graph, const std::string& name, core::VectorField& velocity);
     [[nodiscard]] const core::BlockGeometry& geometry(core::LocalBlock b) const { return mesh_.geometry(b); }
     [[nodiscard]] const BlockWalls& walls_of(core::LocalBlock b) const { return walls_[std::size_t(b)]; }
 

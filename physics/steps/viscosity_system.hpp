@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// The equation of implicit viscosity, (1 - share dt nu Laplacian) change = share dt nu Laplacian w, for each component.
-#include "physics/fluid/parameters.hpp"
+// The equation of implicit viscosity, u = w + share dt nu Laplacian u, for all components of a velocity.
 #include "physics/fluid/krylov.hpp"
+#include "physics/fluid/parameters.hpp"
 #include "physics/steps/unknown.hpp"
 
 namespace physics {
@@ -13,25 +13,37 @@ public:
     /// @param layout  Of the flat vectors; must outlive the system. Collective.
     ViscositySystem(const SystemContext& context, const BlockLayout& layout, const FluidTolerances& tolerances);
 
-    /// velocity += change, component by component.
-    /// @param diffusion     share * dt * viscosity [m2].
-    /// @param inflow        Net flux of the gradient of each component into each cell, with the walls' own velocities [m2/s].
-    /// @param velocity      Provisional velocity in, implicit one out [m/s].
-    tasks::Job solve(tasks::Lane& lane, double diffusion, const core::VectorField& inflow, core::VectorField& velocity);
+    /// Jacobi's iteration, which suffices where little diffuses from cell to cell in a step; where it is slow, BiCGSTAB goes on.
+    /// @param diffusion  share * dt * viscosity [m2].
+    /// @param velocity   w in, u out [m/s].
+    /// @param change     First guess of u - w in; overwritten [m/s].
+    tasks::Job solve(tasks::Lane& lane, double diffusion, core::VectorField& velocity, core::VectorField& change);
 
+    /// Of the last solve: products with the operator.
     [[nodiscard]] int iterations() const { return iterations_; }
 
     tasks::Job apply(tasks::Lane& lane, std::span<const double> in, std::span<double> out);
     tasks::Job precondition(tasks::Lane& lane, std::span<const double> in, std::span<double> out);
 
 private:
+    /// 2-norms over all cells and components [m4/s]: of the residual, of the viscous change, of the momentum per density.
+    struct Norms {
+        double residual, change, momentum;
+    };
+    tasks::Job form_residual(tasks::Lane& lane, const core::VectorField& change, core::VectorField& velocity, Norms& norms);
+    void correct(tasks::Lane& lane, core::VectorField& velocity, core::VectorField& change) const;
+    tasks::Job solve_component(tasks::Lane& lane, int component, const KrylovOptions& options, core::VectorField& velocity);
+
     SystemContext context_;
     FluidTolerances tolerances_;
     const BlockLayout& layout_;
     KrylovWorkspace workspace_;
     Unknown unknown_;
     core::ScalarField transmissibility_sum_;
-    std::vector<double> right_, solution_, norms_;
+    core::VectorField residual_;
+    std::array<core::VectorField, 3> gradient_; ///< of the components
+    core::FaceField flux_;
+    std::vector<double> right_, solution_, sums_;
     double diffusion_ = 0;
     int iterations_ = 0;
 };

@@ -102,7 +102,7 @@ MetricGroup fluid_metrics(World& world)
                 const double energy = fluid_integral(world, [&](LocalBlock b, int i, int j, int k) {
                     return 0.5 * world.fluid()->parameters().density * velocity_at(world, b, i, j, k).squaredNorm();
                 });
-                const auto& report = world.coupling() ? world.coupling()->pressure().report() : world.fluid()->pressure_system().report();
+                const auto& report = world.fluid()->pressure_system().report();
                 return std::vector<double>{energy, largest_speed(world), divergence(world), double(report.iterations)};
             }};
 }

@@ -57,7 +57,6 @@ double cell_size(const World& world)
 
 double iterations_of(World& world)
 {
-    if (world.coupling()) return world.coupling()->pressure().report().iterations;
     return world.fluid() ? world.fluid()->pressure_system().report().iterations : 0.0;
 }
 

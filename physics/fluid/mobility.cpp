@@ -26,11 +26,10 @@ void scale_by_mobility(core::FaceView<const double> mobility, core::FaceView<dou
     map_faces(flux, [](double f, double m) { return f * m; }, flux, mobility);
 }
 
-void mobile_transmissibility(const core::BlockGeometry& geometry, core::FaceView<const double> mobility, core::FaceView<double> out)
+void transmissibility(const core::BlockGeometry& geometry, core::FaceView<double> out)
 {
     for (int axis = 0; axis < 3; ++axis)
-        map_cells(out.along(axis), [](double t, double m) { return t * m; },
-                  geometry.face[std::size_t(axis)].transmissibility.view(), mobility.along(axis));
+        map_cells(out.along(axis), [](double t) { return t; }, geometry.face[std::size_t(axis)].transmissibility.view());
 }
 
 std::vector<LinkFace> link_faces(const core::Mesh& mesh, const MeshLinks& links)

@@ -15,8 +15,8 @@ void face_mobility(core::View<const double> mobility, core::FaceView<double> fac
 /// flux *= mobility on every face.
 void scale_by_mobility(core::FaceView<const double> mobility, core::FaceView<double> flux);
 
-/// Transmissibility times mobility: the coefficients of the multigrid.
-void mobile_transmissibility(const core::BlockGeometry& geometry, core::FaceView<const double> mobility, core::FaceView<double> out);
+/// Transmissibility of every face [m].
+void transmissibility(const core::BlockGeometry& geometry, core::FaceView<double> out);
 
 /// Where the face of each link lies in the fields of this rank.
 struct LinkFace {

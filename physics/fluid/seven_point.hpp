@@ -31,9 +31,9 @@ template <class Real>
     return a;
 }
 
-/// Writes base - (net outflow of x) for the cells of a piece; out may be base, but not x.
-template <class Real>
-void residual(const LevelMesh& mesh, const SevenPoint<Real>& a, int piece, const Real* base, const Real* x, Real* out)
+/// out = finish(cell, net outflow of x through the faces inside the block), then add(out, net outflow by shift or half link).
+template <class Real, class Finish, class Add>
+void sweep_seven_point(const LevelMesh& mesh, const SevenPoint<Real>& a, int piece, const Real* x, Real* out, Finish finish, Add add)
 {
     const auto& p = mesh.layout.pieces()[std::size_t(piece)];
     const auto cells = mesh.layout.cells(p.block);
@@ -42,43 +42,35 @@ void residual(const LevelMesh& mesh, const SevenPoint<Real>& a, int piece, const
 #pragma omp simd
     for (std::ptrdiff_t c = p.begin; c < p.end; ++c) {
         const Real v = x[c];
-        out[c] = base[c] - (ti[c] * (v - x[c - 1]) + ti[c + 1] * (v - x[c + 1]) + tj[c] * (v - x[c - row])
-                            + tj[c + row] * (v - x[c + row]) + tk[c] * (v - x[c - plane]) + tk[c + plane] * (v - x[c + plane]));
+        out[c] = finish(c, ti[c] * (v - x[c - 1]) + ti[c + 1] * (v - x[c + 1]) + tj[c] * (v - x[c - row]) + tj[c + row] * (v - x[c + row]) +
+                               tk[c] * (v - x[c - plane]) + tk[c + plane] * (v - x[c + plane]));
     }
     if (!a.shift.empty()) {
         const Real* shift = a.shift.data();
 #pragma omp simd
-        for (std::ptrdiff_t c = p.begin; c < p.end; ++c) out[c] -= shift[c] * x[c];
+        for (std::ptrdiff_t c = p.begin; c < p.end; ++c) out[c] = add(out[c], shift[c] * x[c]);
     }
     for (int h = mesh.piece_halves[std::size_t(piece)]; h < mesh.piece_halves[std::size_t(piece) + 1]; ++h) {
         const auto& half = mesh.halves[std::size_t(h)];
-        out[half.cell] -= a.half[std::size_t(h)] * (x[half.cell] - x[half.other]);
+        out[half.cell] = add(out[half.cell], a.half[std::size_t(h)] * (x[half.cell] - x[half.other]));
     }
+}
+
+/// Writes base - (net outflow of x) for the cells of a piece; out may be base, but not x.
+template <class Real>
+void residual(const LevelMesh& mesh, const SevenPoint<Real>& a, int piece, const Real* base, const Real* x, Real* out)
+{
+    sweep_seven_point(
+        mesh, a, piece, x, out, [base](std::ptrdiff_t c, Real outflow) { return base[c] - outflow; },
+        [](Real sum, Real outflow) { return sum - outflow; });
 }
 
 /// Writes the net outflow of x for the cells of a piece.
 template <class Real>
 void net_outflow(const LevelMesh& mesh, const SevenPoint<Real>& a, int piece, const Real* x, Real* out)
 {
-    const auto& p = mesh.layout.pieces()[std::size_t(piece)];
-    const auto cells = mesh.layout.cells(p.block);
-    const std::ptrdiff_t row = cells.ni, plane = row * cells.nj;
-    const Real *ti = a.face[0].data(), *tj = a.face[1].data(), *tk = a.face[2].data();
-#pragma omp simd
-    for (std::ptrdiff_t c = p.begin; c < p.end; ++c) {
-        const Real v = x[c];
-        out[c] = ti[c] * (v - x[c - 1]) + ti[c + 1] * (v - x[c + 1]) + tj[c] * (v - x[c - row])
-               + tj[c + row] * (v - x[c + row]) + tk[c] * (v - x[c - plane]) + tk[c + plane] * (v - x[c + plane]);
-    }
-    if (!a.shift.empty()) {
-        const Real* shift = a.shift.data();
-#pragma omp simd
-        for (std::ptrdiff_t c = p.begin; c < p.end; ++c) out[c] += shift[c] * x[c];
-    }
-    for (int h = mesh.piece_halves[std::size_t(piece)]; h < mesh.piece_halves[std::size_t(piece) + 1]; ++h) {
-        const auto& half = mesh.halves[std::size_t(h)];
-        out[half.cell] += a.half[std::size_t(h)] * (x[half.cell] - x[half.other]);
-    }
+    sweep_seven_point(
+        mesh, a, piece, x, out, [](std::ptrdiff_t, Real outflow) { return outflow; }, [](Real sum, Real outflow) { return sum + outflow; });
 }
 
 /// Sums of the coefficients of each cell, those of the faces across `skipped_axis` left out (3: none, the diagonal).

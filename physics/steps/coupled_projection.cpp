@@ -148,7 +148,7 @@ void CoupledStep::declare_projection(tasks::StageGraph& graph)
         "solve pressure with grains",
         [this](tasks::Lane& lane, const core::FaceField& mobility, const core::ScalarField& outflow, const core::ScalarField& through,
                const FluidClock& clock, core::ScalarField& change) {
-            return pressure_.solve(lane, 1.0 - clock.memory(), mobility, outflow, through, change);
+            return fluid_.pressure_system().solve(lane, mobility, {outflow, through, 1.0 - clock.memory()}, change);
         },
         reads(face_mobility_, fluid.outflow, fluid.throughput, clock_), writes(fluid.psi));
     graph.each_block(

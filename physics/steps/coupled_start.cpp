@@ -3,6 +3,7 @@
 // CoupledStep before a step: the filter and the fluid fraction of a new state, and how stiff its coupling is.
 #include "physics/coupling/drag.hpp"
 #include "physics/fluid/cell_loops.hpp"
+#include "physics/fluid/mobility.hpp"
 #include "physics/steps/coupled_step.hpp"
 #include "physics/steps/batch_filter.hpp"
 #include <algorithm>
@@ -26,9 +27,7 @@ core::FaceField transmissibilities(const core::Mesh& mesh)
 {
     core::FaceField faces({"transmissibility", "m", 0, false}, mesh.own_cells());
     faces.allocate();
-    for (LocalBlock b = 0; b < mesh.own_count(); ++b)
-        for (int axis = 0; axis < 3; ++axis)
-            map_cells(faces.on(b).along(axis), [](double t) { return t; }, mesh.geometry(b).face[std::size_t(axis)].transmissibility.view());
+    for (LocalBlock b = 0; b < mesh.own_count(); ++b) transmissibility(mesh.geometry(b), faces.on(b));
     return faces;
 }
 

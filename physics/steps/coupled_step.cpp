@@ -28,7 +28,6 @@ CoupledStep::CoupledStep(const core::Mesh& mesh, const core::Communicator& ranks
     : mesh_(mesh), ranks_(ranks), fluid_(fluid), dynamics_(grains), stepper_(stepper), parameters_(parameters), locator_(mesh),
       halos_(halos), plan_(mesh, ranks, 1, 1, core::HaloShape::full), fields_(mesh),
       exchange_(parameters, add_wet_columns(grains.particles), add_exchange_columns(grains.particles, parameters)),
-      pressure_({mesh, fluid.walls(), halos}, ranks, fluid.parameters().tolerances),
       filter_(make_mesh_links(mesh, ranks.rank(), BehindWalls::nothing).topology, {parameters.filter_width}),
       face_mobility_({"mobility on faces", "m3 s/kg", 0, false}, mesh.own_cells()),
       known_face_mobility_({"mobility of the known pressure on faces", "m3 s/kg", 0, false}, mesh.own_cells()),
@@ -212,7 +211,8 @@ GrainTable CoupledStep::sample(const core::Team& team, const GrainPlaces& places
     team.run(mesh_.own_count(), [&](int b) {
         std::size_t column = 0;
         const auto add = [&](const auto& fields) {
-            for (const auto& field : fields) places.sample(b, field, table[column++]);
+            places.sample(b, fields, std::span(table).subspan(column, fields.size()));
+            column += fields.size();
         };
         (add(batches.on(b)), ...);
     });

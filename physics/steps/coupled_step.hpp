@@ -8,7 +8,7 @@
 #include "physics/coupling/grain_exchange.hpp"
 #include "physics/particles/stepper.hpp"
 #include "physics/steps/fluid_step.hpp"
-#include "physics/steps/mixture_pressure.hpp"
+#include "physics/fluid/mobility.hpp"
 
 namespace physics {
 
@@ -33,7 +33,6 @@ public:
 
     [[nodiscard]] ExchangeFields& fields() { return fields_; }
     [[nodiscard]] const GrainExchange& exchange() const { return exchange_; }
-    [[nodiscard]] const MixturePressure& pressure() const { return pressure_; }
     /// Extremes of the present state on this rank, for steps of `dt` [s]; the drag is that of the last step, 0 before the first.
     [[nodiscard]] StabilityNumbers stability(double dt) const;
     [[nodiscard]] int filter_degree() const { return filter_.degree(); }
@@ -83,7 +82,6 @@ private:
     core::HaloExchange plan_;
     ExchangeFields fields_;
     GrainExchange exchange_;
-    MixturePressure pressure_;
     Filter filter_;
     core::FaceField face_mobility_, known_face_mobility_;
     tasks::Part<ParticleDynamics> grains_;

@@ -19,7 +19,7 @@ void FluidStep::declare_projection(tasks::StageGraph& graph)
     graph.whole(
         "solve pressure",
         [this](tasks::Lane& lane, const core::ScalarField& outflow, const core::ScalarField& throughput, const FluidClock& clock,
-               core::ScalarField& psi) { return pressure_system_.solve(lane, 1.0 - clock.memory(), outflow, throughput, psi); },
+               core::ScalarField& psi) { return pressure_system_.solve(lane, {outflow, throughput, 1.0 - clock.memory()}, psi); },
         reads(fields_.outflow, fields_.throughput, clock_), writes(fields_.psi));
     declare_correction(graph);
 }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #include "physics/steps/pressure_solve.hpp"
+#include "physics/steps/krylov_job.hpp"
 
 namespace physics {
 namespace {
@@ -70,33 +71,26 @@ tasks::Job precondition(tasks::Lane& lane, SevenPointSolver& solver, std::span<c
     multigrid.store_solution(lane.team(), out);
 }
 
-tasks::Job serve(tasks::Lane& lane, KrylovProcess process, LinearJob apply, LinearJob precondition)
-{
-    while (process.next()) {
-        const KrylovDemand demand = process.demand();
-        switch (demand.kind) {
-        case KrylovDemand::Kind::apply: co_await apply(demand.in, demand.out); break;
-        case KrylovDemand::Kind::precondition: co_await precondition(demand.in, demand.out); break;
-        case KrylovDemand::Kind::sum: co_await lane.sum(demand.in); break;
-        }
+namespace {
+
+/// The 7-point operator with its V-cycle, as drive() wants them.
+struct SevenPointSystem {
+    SevenPointSolver& solver;
+    tasks::Job apply(tasks::Lane& lane, std::span<double> in, std::span<double> out) const { return physics::apply(lane, solver, in, out); }
+    tasks::Job precondition(tasks::Lane& lane, std::span<const double> in, std::span<double> out) const
+    {
+        return physics::precondition(lane, solver, in, out);
     }
-}
+};
+
+} // namespace
 
 tasks::Job solve(tasks::Lane& lane, SevenPointSolver& solver, const KrylovOptions& options, std::span<double> right,
                  std::span<double> x, KrylovReport& report)
 {
-    const LinearJob seven_point = [&](auto in, auto out) { return apply(lane, solver, in, out); };
-    const LinearJob cycle = [&](auto in, auto out) { return precondition(lane, solver, in, out); };
+    SevenPointSystem system{solver};
     co_await announce_right(lane, solver, right);
-    co_await serve(lane, flexible_cg(lane.team(), solver.workspace(), options, right, x, report), seven_point, cycle);
-}
-
-tasks::Job solve_full(tasks::Lane& lane, SevenPointSolver& solver, const KrylovOptions& options, LinearJob full_operator,
-                      std::span<double> right, std::span<double> x, KrylovReport& report)
-{
-    const LinearJob cycle = [&](auto in, auto out) { return precondition(lane, solver, in, out); };
-    co_await announce_right(lane, solver, right);
-    co_await serve(lane, bicgstab(lane.team(), solver.workspace(), options, right, x, report), full_operator, cycle);
+    co_await drive(lane, flexible_cg(lane.team(), solver.workspace(), options, right, x, report), system);
 }
 
 } // namespace physics

@@ -5,13 +5,9 @@
 // messages without holding a thread.
 #include "physics/fluid/seven_point_solver.hpp"
 #include "tasks/lane.hpp"
-#include <functional>
 #include <span>
 
 namespace physics {
-
-/// What a Krylov solver asks for, as a job: out from in.
-using LinearJob = std::function<tasks::Job(std::span<double> in, std::span<double> out)>;
 
 /// Runs the steps of a set-up or of a cycle.
 tasks::Job run_steps(tasks::Lane& lane, Multigrid& multigrid, std::span<const MultigridStep> steps);
@@ -28,18 +24,10 @@ tasks::Job apply(tasks::Lane& lane, SevenPointSolver& solver, std::span<double> 
 /// out = one V-cycle for the right-hand side `in`.
 tasks::Job precondition(tasks::Lane& lane, SevenPointSolver& solver, std::span<const double> in, std::span<double> out);
 
-/// Serves a Krylov solver until it has its solution.
-/// @throws NumericsError, on all ranks alike, if it does not converge.
-tasks::Job serve(tasks::Lane& lane, KrylovProcess process, LinearJob apply, LinearJob precondition);
-
 /// The 7-point system by flexible conjugate gradients.
 /// @param right  Its mean is removed if the system is singular.
 /// @param x      First guess in, solution out.
 tasks::Job solve(tasks::Lane& lane, SevenPointSolver& solver, const KrylovOptions& options, std::span<double> right,
                  std::span<double> x, KrylovReport& report);
-
-/// Any operator near the 7-point one (cross terms of skewed grids), by BiCGSTAB with the same preconditioner.
-tasks::Job solve_full(tasks::Lane& lane, SevenPointSolver& solver, const KrylovOptions& options, LinearJob full_operator,
-                      std::span<double> right, std::span<double> x, KrylovReport& report);
 
 } // namespace physics

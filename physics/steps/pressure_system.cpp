@@ -7,35 +7,37 @@
 #include "physics/steps/pressure_solve.hpp"
 
 namespace physics {
-namespace {
-
-/// The transmissibilities of the mesh as the multigrid wants them.
-void set_up(const core::Mesh& mesh, int rank, SevenPointSolver& solver)
-{
-    core::FaceField faces({"transmissibility", "m", 0, false}, mesh.own_cells());
-    faces.allocate();
-    for (core::LocalBlock b = 0; b < mesh.own_count(); ++b)
-        for (int axis = 0; axis < 3; ++axis)
-            map_cells(faces.on(b).along(axis), [](double t) { return t; }, mesh.geometry(b).face[std::size_t(axis)].transmissibility.view());
-    const MeshLinks links = make_mesh_links(mesh, rank, BehindWalls::nothing);
-    solver.set_up(core::SerialTeam(), {&faces, links.transmissibility, nullptr});
-}
-
-} // namespace
 
 PressureSystem::PressureSystem(const SystemContext& context, const core::Communicator& ranks, const FluidTolerances& tolerances)
-    : context_(context),
-      solver_(make_mesh_links(context.mesh, ranks.rank(), BehindWalls::nothing).topology, MultigridOptions{}, ranks),
-      unknown_(context, solver_.layout(), "pressure impulse"), right_(solver_.layout().size(), 0.0),
-      solution_(solver_.layout().size(), 0.0), norms_(context.mesh, tolerances)
+    : context_(context), links_(make_mesh_links(context.mesh, ranks.rank(), BehindWalls::nothing)),
+      link_faces_(link_faces(context.mesh, links_)), solver_(links_.topology, MultigridOptions{}, ranks),
+      unknown_(context, solver_.layout(), "pressure change"),
+      coefficients_({"mobile transmissibility", "", 0, false}, context.mesh.own_cells()), link_coefficients_(links_.transmissibility),
+      right_(solver_.layout().size(), 0.0), solution_(solver_.layout().size(), 0.0), norms_(context.mesh, tolerances)
 {
-    set_up(context.mesh, ranks.rank(), solver_);
+    coefficients_.allocate();
+}
+
+tasks::Job PressureSystem::load(tasks::Lane& lane)
+{
+    loaded_ = false;
+    unknown_.for_blocks(lane, [&](core::LocalBlock b) {
+        transmissibility(context_.mesh.geometry(b), coefficients_.on(b));
+        if (mobility_) scale_by_mobility(mobility_->on(b), coefficients_.on(b));
+    });
+    for (std::size_t n = 0; n < link_faces_.size(); ++n) {
+        const LinkFace& at = link_faces_[n];
+        link_coefficients_[n] = links_.transmissibility[n] * (mobility_ ? mobility_->on(at.block).along(at.axis)[at.face] : 1.0);
+    }
+    co_await set_up(lane, solver_, {&coefficients_, link_coefficients_, nullptr});
+    loaded_ = !mobility_;
 }
 
 tasks::Job PressureSystem::apply(tasks::Lane& lane, std::span<const double> in, std::span<double> out)
 {
     co_await unknown_.form_fluxes(lane, BehindWalls::nothing, in);
     unknown_.for_blocks(lane, [&](core::LocalBlock b) {
+        if (mobility_) scale_by_mobility(mobility_->on(b), unknown_.flux.on(b));
         const auto outflow = solver_.layout().view(b, out);
         net_outflow(unknown_.flux.on(b), outflow);
         map_cells(outflow, [](double x) { return -x; }, outflow);
@@ -47,18 +49,31 @@ tasks::Job PressureSystem::precondition(tasks::Lane& lane, std::span<const doubl
     co_await physics::precondition(lane, solver_, in, out);
 }
 
-tasks::Job PressureSystem::solve(tasks::Lane& lane, double share, const core::ScalarField& outflow, const core::ScalarField& throughput,
-                                 core::ScalarField& psi)
+tasks::Job PressureSystem::solve(tasks::Lane& lane, FluxesToProject fluxes, core::ScalarField& psi)
 {
+    mobility_ = nullptr;
+    if (!loaded_) co_await load(lane);
+    co_await solve_loaded(lane, fluxes, psi);
+}
+
+tasks::Job PressureSystem::solve(tasks::Lane& lane, const core::FaceField& mobility, FluxesToProject fluxes, core::ScalarField& change)
+{
+    mobility_ = &mobility;
+    co_await load(lane);
+    co_await solve_loaded(lane, fluxes, change);
+}
+
+tasks::Job PressureSystem::solve_loaded(tasks::Lane& lane, FluxesToProject fluxes, core::ScalarField& psi)
+{
+    co_await norms_.gather(lane, fluxes.outflow, fluxes.throughput);
+    solver_.expect_right(norms_.outflow());
     const BlockLayout& layout = solver_.layout();
     std::fill(solution_.begin(), solution_.end(), 0.0);
     unknown_.for_blocks(lane, [&](core::LocalBlock b) {
-        map_cells(layout.view(b, right_), [](double x) { return -x; }, outflow.on(b));
+        map_cells(layout.view(b, right_), [](double x) { return -x; }, fluxes.outflow.on(b));
     });
-    co_await norms_.gather(lane, outflow, throughput);
-    solver_.expect_right(norms_.outflow());
     report_ = {};
-    co_await drive(lane, bicgstab(lane.team(), solver_.workspace(), norms_.options(share), right_, solution_, report_), *this);
+    co_await drive(lane, bicgstab(lane.team(), solver_.workspace(), norms_.options(fluxes.share), right_, solution_, report_), *this);
     unknown_.for_blocks(lane, [&](core::LocalBlock b) {
         map_cells(psi.on(b), [](double x) { return x; }, layout.view(b, solution_));
     });

@@ -1,25 +1,34 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// The equation of the projection: div(grad psi) = div(flux), psi = mobility * pressure increment, with the full operator.
+// The equation of the projection with the full operator: div(grad psi) = div(flux), psi = mobility * pressure increment; or,
+// with grains, div(mobility grad dp) = div(flux), the mobility a field of this step.
+#include "physics/fluid/mobility.hpp"
 #include "physics/fluid/seven_point_solver.hpp"
 #include "physics/steps/projection_norms.hpp"
 #include "physics/steps/unknown.hpp"
 
 namespace physics {
 
+/// The fluxes that a projection is to make free of divergence.
+struct FluxesToProject {
+    const core::ScalarField& outflow;    ///< net outflow of each cell; must sum to zero [m3/s]
+    const core::ScalarField& throughput; ///< half the sum of the magnitudes of a cell's fluxes: what the tolerance refers to [m3/s]
+    double share = 1.0;                  ///< of the tolerance that this step may use up: below 1 for steps shorter than those before
+};
+
 class PressureSystem {
 public:
-    /// Sets up the multigrid. Collective.
+    /// Collective.
     PressureSystem(const SystemContext& context, const core::Communicator& ranks, const FluidTolerances& tolerances);
 
     /// Solves for psi so that (flux - compact flux of grad psi) has no net outflow.
-    /// @param share       Of the tolerance that this step may use up: below 1 for steps shorter than those before.
-    /// @param outflow     Net outflow of the predicted flux [m3/s]; must sum to zero.
-    /// @param throughput  Half the sum of the magnitudes of the fluxes of each cell [m3/s]: what the tolerance refers to.
-    /// @param[out] psi    Interior [m2/s].
-    tasks::Job solve(tasks::Lane& lane, double share, const core::ScalarField& outflow, const core::ScalarField& throughput,
-                     core::ScalarField& psi);
+    /// @param[out] psi  Interior [m2/s].
+    tasks::Job solve(tasks::Lane& lane, FluxesToProject fluxes, core::ScalarField& psi);
+    /// Solves for dp so that (flux - mobility * compact flux of grad dp) has no net outflow.
+    /// @param mobility     On faces [m3 s/kg].
+    /// @param[out] change  Interior [Pa].
+    tasks::Job solve(tasks::Lane& lane, const core::FaceField& mobility, FluxesToProject fluxes, core::ScalarField& change);
 
     [[nodiscard]] const KrylovReport& report() const { return report_; }
     [[nodiscard]] const BlockLayout& layout() const { return solver_.layout(); }
@@ -28,10 +37,18 @@ public:
     tasks::Job precondition(tasks::Lane& lane, std::span<const double> in, std::span<double> out);
 
 private:
+    tasks::Job load(tasks::Lane& lane);
+    tasks::Job solve_loaded(tasks::Lane& lane, FluxesToProject fluxes, core::ScalarField& psi);
+
     SystemContext context_;
+    MeshLinks links_;
+    std::vector<LinkFace> link_faces_;
     SevenPointSolver solver_;
     Unknown unknown_;
-    std::vector<double> right_, solution_;
+    core::FaceField coefficients_;
+    const core::FaceField* mobility_ = nullptr; ///< of the solve that is on its way; none: 1 everywhere
+    bool loaded_ = false;                       ///< the solver holds the coefficients without mobility
+    std::vector<double> link_coefficients_, right_, solution_;
     ProjectionNorms norms_;
     KrylovReport report_;
 };

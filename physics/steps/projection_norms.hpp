@@ -48,6 +48,7 @@ public:
         options.absolute = tolerances_.pressure_target(through_, out_, share);
         options.most_iterations = tolerances_.most_iterations;
         options.singular = true;
+        options.from_zero = true;
         // Fluxes cancel to round-off of themselves, however small what is left of them.
         options.largest_defect = std::max(options.largest_defect, out_ > 0 ? 1e-12 * through_ / out_ : 0.0);
         return options;

@@ -210,7 +210,7 @@ TEST_CASE("a spacing at the wall of a pipe reaches all its blocks, and they stil
     const core::Mesh mesh(grid, 0, 1);
     CHECK(mesh.topology().interfaces.size() == 13 * 2);
     for (const core::BlockId b : {1, 4, 9})
-        CHECK((mesh.vertices(b)(1, 8, 3) - mesh.vertices(b)(1, 7, 3)).norm() == doctest::Approx(0.5e-3).epsilon(0.01));
+        CHECK((mesh.vertices(b)(3, 1, 8) - mesh.vertices(b)(3, 1, 7)).norm() == doctest::Approx(0.5e-3).epsilon(0.01));
     wanted.spacings = {{"floor", 1e-3, 1.2}};
     CHECK_THROWS_WITH_AS(static_cast<void>(core::make_elliptic(grid, wanted)), doctest::Contains("no boundary of the grid is called 'floor'"),
                          core::ConfigError);

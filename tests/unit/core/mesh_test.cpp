@@ -69,9 +69,9 @@ TEST_CASE("maps between blocks are inverse to each other and halo centres lie wh
     }
     for (core::LocalBlock b = 0; b < mesh.own_count(); ++b) {
         const auto& g = mesh.geometry(b);
-        // Along the axis the cells are uniform, also through the period.
-        CHECK((g.centre(-1, 1, 1) - g.centre(0, 1, 1) + Vec3(0.09 / 12, 0, 0)).norm() < 1e-15);
-        CHECK((g.centre(4, 1, 1) - g.centre(3, 1, 1) - Vec3(0.09 / 12, 0, 0)).norm() < 1e-15);
+        // Along the axis, which is j, the cells are uniform, also through the period.
+        CHECK((g.centre(1, -1, 1) - g.centre(1, 0, 1) + Vec3(0.09 / 12, 0, 0)).norm() < 1e-15);
+        CHECK((g.centre(1, 4, 1) - g.centre(1, 3, 1) - Vec3(0.09 / 12, 0, 0)).norm() < 1e-15);
     }
 }
 

@@ -37,13 +37,17 @@ std::vector<NamedColumns> columns_of(World& world)
     std::vector<NamedColumns> all{{"position", three(p.position)}, {"velocity", three(p.velocity)}, {"spin", three(p.spin)},
                                   {"radius", {&p.radius}},         {"mass", {&p.mass}},             {"inertia", {&p.inertia}}};
     if (const auto* coupling = world.coupling()) {
-        const auto owed = std::size_t(coupling->exchange().columns().owed);
-        all.push_back({"drag coefficient", {&p.columns[std::size_t(coupling->exchange().columns().drag)]}});
-        if (const int extra = coupling->exchange().columns().extra_force; extra >= 0) {
-            const auto first = std::size_t(extra);
-            all.push_back({"extra force", {&p.columns[first], &p.columns[first + 1], &p.columns[first + 2]}});
-        }
-        all.push_back({"owed impulse", {&p.columns[owed], &p.columns[owed + 1], &p.columns[owed + 2]}});
+        const auto& at = coupling->exchange().columns();
+        const auto columns = [&p](int first, int count) {
+            std::vector<core::Column*> found;
+            for (int n = 0; n < count; ++n) found.push_back(&p.columns[std::size_t(first + n)]);
+            return found;
+        };
+        all.push_back({"drag coefficient", columns(at.drag, 1)});
+        if (at.extra_force >= 0) all.push_back({"extra force", columns(at.extra_force, 3)});
+        all.push_back({"owed impulse", columns(at.owed, 3)});
+        all.push_back({"told acceleration", columns(at.told, 3)});
+        all.push_back({"hold", columns(at.hold, 1)});
     }
     return all;
 }

@@ -17,11 +17,15 @@ namespace physics {
 /// Yield in the predictor: a held grain takes the full drag. Too stiff only lags, too soft is unstable for stiff drag.
 [[nodiscard]] inline double predictor_yield(double hold) { return 1.0 - hold; }
 
-/// Yield in the projection: too soft only lags, too stiff is unstable; only stiff drag earns the hold.
+/// Yield in the projection: too soft only lags, too stiff is unstable; only stiff drag earns the hold. With 1 / (1 + b)^2 a
+/// held grain stays as soft as a free one where b is small. Where b is large it yields to 0.3 / (1 + b), that is, takes three
+/// quarters of the full drag, and a locked bed has half of its pressure drop after one pass: with 0.2 a column of 50 um
+/// grains in water chatters in one pass, with 0.1 it blows up.
 /// @param stiffness  b = K dt / m [-].
 [[nodiscard]] inline double projection_yield(double hold, double stiffness)
 {
-    return 1.0 - hold * stiffness / (1.0 + stiffness);
+    const double soft = 1.0 / (1.0 + stiffness);
+    return 1.0 - hold * (1.0 - soft * std::max(soft, 0.3));
 }
 
 } // namespace physics

@@ -39,6 +39,9 @@ ExchangeColumns add_exchange_columns(core::ParticleSet& grains, const CouplingPa
     ExchangeColumns c{};
     c.owed = three();
     c.delivered = three();
+    c.told = three();
+    c.hold = grains.add_column();
+    c.untold = three();
     c.velocity_before = three();
     c.spin_before = three();
     c.known_force = three();
@@ -55,13 +58,35 @@ core::Vec3 GrainExchange::column(const core::ParticleSet& grains, int first, int
     return {value(0), value(1), value(2)};
 }
 
+double GrainExchange::drag_at(const core::ParticleSet& grains, int g, const GrainTable& views, double fraction) const
+{
+    const double slip = (at(views, view_velocity, g) - grains.velocity_of(g)).norm();
+    return drag_coefficient(parameters_, slip, fraction, 2.0 * grains.radius[std::size_t(g)]);
+}
+
 void GrainExchange::freeze_drag(core::ParticleSet& grains, const GrainTable& views, std::span<const double> fraction) const
 {
+    auto& drag = grains.columns[std::size_t(columns_.drag)];
+    for (int g = 0; g < grains.owned; ++g) drag[std::size_t(g)] = drag_at(grains, g, views, fraction[std::size_t(g)]);
+}
+
+void GrainExchange::revise(core::ParticleSet& grains, const GrainTable& views, std::span<const double> fraction) const
+{
+    auto& drag = grains.columns[std::size_t(columns_.drag)];
     for (int g = 0; g < grains.owned; ++g) {
         const auto k = std::size_t(g);
-        const double slip = (at(views, view_velocity, g) - grains.velocity_of(g)).norm();
-        grains.columns[std::size_t(columns_.drag)][k] = drag_coefficient(parameters_, slip, fraction[k], 2.0 * grains.radius[k]);
+        drag[k] = 0.5 * (drag[k] + drag_at(grains, g, views, fraction[k]));
+        grains.columns[std::size_t(columns_.hold)][k] = 0.0;
     }
+}
+
+core::Vec3 GrainExchange::tell(core::ParticleSet& grains, int g, const core::Vec3& acceleration, double dt) const
+{
+    const double hold = grains.columns[std::size_t(columns_.hold)][std::size_t(g)];
+    const core::Vec3 told = told_acceleration<core::Vec3>(acceleration, column(grains, columns_.told, g), hold);
+    put(grains, columns_.told, g, told);
+    put(grains, columns_.untold, g, dt * (acceleration - told));
+    return told;
 }
 
 void GrainExchange::load(core::ParticleSet& grains, const GrainTable& views, const core::Vec3& drive, const GrainStep& step) const
@@ -81,7 +106,7 @@ void GrainExchange::load(core::ParticleSet& grains, const GrainTable& views, con
         WetLoad load;
         load.drag = grains.columns[std::size_t(columns_.drag)][k];
         load.added_mass = mass;
-        load.force = known + mass * at(views, view_acceleration, g);
+        load.force = known + mass * tell(grains, g, at(views, view_acceleration, g), step.dt);
         if (p.lift) load.force += p.lift_share * magnus_lift(spin);
         if (p.force == FluidForce::material_derivative)
             load.force += extra_force(grains, g, p.fluid_density * (at(views, view_acceleration, g) - drive) -
@@ -149,12 +174,13 @@ void GrainExchange::answer(const core::ParticleSet& grains, double dt, GrainTabl
         const core::Vec3 impulse = coupling.mass * (velocity - column(grains, columns_.velocity_before, g)) -
                                    dt * column(grains, columns_.known_force, g) - column(grains, wet_.impulse, g);
         const double hold = hold_of(grains, g);
-        const GrainResponse p = grain_response(coupling, predictor_yield(hold));
-        const GrainResponse q = grain_response(coupling, projection_yield(hold, coupling.drag / coupling.mass));
+        const GrainResponse p = response_to_velocity(coupling, predictor_yield(hold));
+        const GrainResponse q = response_to_pressure(coupling, projection_yield(hold, coupling.drag / coupling.mass));
+        const core::Vec3 untold = column(grains, columns_.untold, g);
         deposits[sum_solid][k] = coupling.volume;
         for (std::size_t a = 0; a < 3; ++a) {
             deposits[sum_flux + a][k] = coupling.volume * velocity[int(a)];
-            deposits[sum_impulse + a][k] = impulse[int(a)];
+            deposits[sum_impulse + a][k] = impulse[int(a)] + p.added * untold[int(a)];
         }
         deposits[sum_predictor][k] = p.reaction;
         deposits[sum_predictor + 1][k] = p.flux;
@@ -171,13 +197,14 @@ void GrainExchange::owe(core::ParticleSet& grains, const GrainTable& told, const
     for (int g = 0; g < grains.owned; ++g) {
         const GrainCoupling coupling = coupling_of(grains, g, dt);
         const double hold = hold_of(grains, g);
-        const GrainResponse p = grain_response(coupling, predictor_yield(hold));
-        const GrainResponse q = grain_response(coupling, projection_yield(hold, coupling.drag / coupling.mass));
+        const GrainResponse p = response_to_velocity(coupling, predictor_yield(hold));
+        const GrainResponse q = response_to_pressure(coupling, projection_yield(hold, coupling.drag / coupling.mass));
         const auto change = [&](std::size_t view) -> core::Vec3 { return at(news, view, g) - at(told, view, g); };
         const core::Vec3 force_new = at(news, view_pressure_force, g) + at(told, view_stress, g), velocity_change = change(view_velocity);
         const core::Vec3 force_change = change(view_pressure_force), projection = at(news, news_projection, g);
-        const core::Vec3 predictor = velocity_change - projection, miss = dt * change(view_acceleration) - velocity_change;
+        const core::Vec3 predictor = velocity_change - projection, miss = dt * change(view_acceleration) - velocity_change + column(grains, columns_.untold, g);
         const core::Vec3 used = column(grains, columns_.force_used, g);
+        grains.columns[std::size_t(columns_.hold)][std::size_t(g)] = hold;
         core::Vec3 owed = column(grains, columns_.owed, g) - column(grains, columns_.delivered, g);
         for (int a = 0; a < 3; ++a)
             owed[a] += owed_impulse({used[a], force_new[a], force_change[a], predictor[a], projection[a], miss[a]}, coupling.volume, p, q, dt);

@@ -13,8 +13,11 @@ namespace physics {
 /// Columns of the particle set that the exchange keeps through the sub-steps of one fluid step. Each name is the first of
 /// three columns unless it says otherwise.
 struct ExchangeColumns {
-    int owed;            ///< impulse still owed [N s]; the only one that is carried from step to step
+    int owed;            ///< impulse still owed [N s]; carried from step to step
     int delivered;       ///< what this step delivers of it [N s]
+    int told;            ///< acceleration of the fluid that entered its added-mass force [m/s2]; carried
+    int hold;            ///< one column: hold of the last step [-]; carried
+    int untold;          ///< what was kept back of the acceleration, times dt [m/s]
     int velocity_before; ///< [m/s]
     int spin_before;     ///< [1/s]
     int known_force;     ///< what the sub-steps apply and the fluid does not feel the reaction of: weight, pressure, what is owed [N]
@@ -53,6 +56,10 @@ public:
     /// @param drive  Mean acceleration of the fluid by the drive over the step [m/s2].
     void load(core::ParticleSet& grains, const GrainTable& views, const core::Vec3& drive, const GrainStep& step) const;
 
+    /// Before a pass is repeated, when the views are of its own step: nothing need be kept back from held grains, and K
+    /// becomes the mean of what it was and what the new slip asks for.
+    void revise(core::ParticleSet& grains, const GrainTable& views, std::span<const double> fraction) const;
+
     /// Step 3: what each grain deposits; grain_sums columns.
     void answer(const core::ParticleSet& grains, double dt, GrainTable& deposits) const;
 
@@ -71,6 +78,8 @@ public:
 
 private:
     [[nodiscard]] GrainCoupling coupling_of(const core::ParticleSet& grains, int g, double dt) const;
+    [[nodiscard]] double drag_at(const core::ParticleSet& grains, int g, const GrainTable& views, double fraction) const;
+    [[nodiscard]] core::Vec3 tell(core::ParticleSet& grains, int g, const core::Vec3& acceleration, double dt) const;
     [[nodiscard]] double hold_of(const core::ParticleSet& grains, int g) const;
     /// What material_derivative adds to the pressure force, half of it from the step before.
     [[nodiscard]] core::Vec3 extra_force(core::ParticleSet& grains, int g, const core::Vec3& per_volume) const;

@@ -17,8 +17,10 @@
 //     contacts; exact exponential drag with mass m + a. Record per grain the contact impulse I_c and
 //        J = m (v^{n+1} - v^n) - (f - a B Dudt) dt - I_c        the impulse of drag, added mass and lift it really received
 //     (lift acts in the sub-steps beside f; the fluid feels its reaction through J).
-//  3. Hold h = contact_share(I_c, m (v^{n+1} - v^n) - I_c), per grain; q = 1 - h in the predictor,
-//     q = 1 - h b / (1 + b) in the projection, b = K dt / m. Move B to the positions n+1. Deposit (filtered):
+//     A grain that was held in the last step is not told all of a B Dudt^n (told_acceleration in added_mass.hpp): e, what is
+//     left out times dt, joins the miss of this grain in 4 (put(J) gets put(added e)) and 6.
+//  3. Hold h = contact_share(I_c, m (v^{n+1} - v^n) - I_c), per grain; q = predictor_yield(h) in the predictor,
+//     q = projection_yield(h, b) in the projection, b = K dt / m. Move B to the positions n+1. Deposit (filtered):
 //        C, put(V v), put(J), and of response.hpp  predictor: reaction, flux, added, added_flux;
 //        projection: reaction, entrained, displaced.
 //  4. Predictor (predictor.hpp), miss = u^n - u^a - dt Dudt:
@@ -31,18 +33,22 @@
 //  7. Ledger per cell: what the fluid is still owed, added in 4 of the next step. None where the grains' real impulse is
 //     waited for and advection is semi-Lagrangian: u^a is then a velocity, which no error of continuity may change (a uniform
 //     flow stays uniform), and what its momentum rho (phi^{n+1} u^a - phi^n u^n) makes or loses is a line of the budget.
-//     In `coarse` and `concurrent`: put(J predicted - J real). With flux-form advection (test column): besides,
+//     In `coarse` and `concurrent`: what is left of the fluid's equation with the real sums in place of those it took,
+//        L = L^n + dt phi G^{n+1} + rho phi (u^a - u^{n+1}) - put(J) - added miss - reaction_p du - (reaction_q ru - entrained dt) dG,
+//     whatever the places of those it took. With flux-form advection (test column): besides,
 //        L = rho phi^n u^n - dt div(F rho u) - rho phi^{n+1} u^a,  F the volume flux of the fluid at n   (conserved_ledger).
 // The filtered u, -grad p and Dudt of n+1 are made once: for 6, and kept for 2 of the next step. du, dG and miss at the grains
 // are differences of them, for filter and sampling are linear.
 // `iterated` repeats 2-6 from state n with u, Dudt and G of the last pass in place of those of state n: then r of step 4 has
-// rho phi (u^a - u_used), and miss = u_used - u^a - dt Dudt_used; K and what is owed stay those of state n. `coarse` takes
-// J, v, h in 3-5 from a DEM pass of longer sub-steps and phi^n; `concurrent` from free flight held back by h of the last
-// step. The first step of a run: `iterated`. Steps in space are made of `pipelined` and `iterated`; the other two have only
-// been run in the test column.
+// rho phi (u^a - u_used), and miss = u_used - u^a - dt Dudt_used; what is owed stays that of state n, K becomes the mean of
+// the last pass's and that of u_used (Newton's method where drag is quadratic). The first step of a run: `iterated`.
+// `coarse` takes C, v, J, h of 3-5 from a DEM pass of longer sub-steps, `concurrent` from free flight held back by h of the
+// last step, at the places n: nothing in the fluid lane waits for the grains.
 //
 // Why it is stable: the predictor must not be softer than the truth (it over-corrects drag), the projection not stiffer (it
 // over-corrects pressure); hence two holds. Grain by grain, because a cell of held and free grains is neither.
+#include <cmath>
+
 namespace physics {
 
 /// What one grain does to its cell when the fluid there is pushed; deposit each member.
@@ -62,21 +68,27 @@ struct GrainCoupling {
     double added_mass = 0.0; ///< a = C_m rho V [kg]
 };
 
-/// Velocity change of a grain per impulse, with the coupling implicit: q / (m + q (K dt + a)) [1/kg].
-/// @param yield  q = 1 - hold: 1 for a free grain, 0 for one that contacts keep in place.
-[[nodiscard]] inline double compliance(const GrainCoupling& grain, double yield)
+/// What follows from impulse per compliance: all that a grain contributes to the sums of its cell.
+/// @param ease  compliance / yield [1/kg], finite for a held grain.
+[[nodiscard]] inline GrainResponse grain_response(const GrainCoupling& grain, double yield, double ease)
 {
-    return yield / (grain.mass + yield * (grain.drag + grain.added_mass));
-}
-
-/// All that a grain contributes to the sums of its cell.
-[[nodiscard]] inline GrainResponse grain_response(const GrainCoupling& grain, double yield)
-{
-    const double kappa = grain.drag + grain.added_mass;
-    const double c = compliance(grain, yield);
-    const double kept = grain.mass / (grain.mass + yield * kappa);
+    const double kappa = grain.drag + grain.added_mass, c = yield * ease, kept = grain.mass * ease;
     return {kappa * kept, grain.volume * c * kappa, c * grain.volume * grain.volume, grain.added_mass * kept,
             grain.volume * c * grain.added_mass};
+}
+
+/// Answer to a change of pressure, for the projection: implicit, softer than the truth.
+[[nodiscard]] inline GrainResponse response_to_pressure(const GrainCoupling& grain, double yield)
+{
+    return grain_response(grain, yield, 1.0 / (grain.mass + yield * (grain.drag + grain.added_mass)));
+}
+
+/// Answer to a change of fluid velocity, for the predictor: that of the grain lane, where drag decays exponentially. With
+/// (m / q + a) dv/dt = K (du - dv) + a du / dt the grain follows by dv = c (K dt + a) du and receives m dv / q.
+[[nodiscard]] inline GrainResponse response_to_velocity(const GrainCoupling& grain, double yield)
+{
+    const double inertia = grain.mass + yield * grain.added_mass, x = yield * grain.drag / inertia;
+    return grain_response(grain, yield, (x > 0.0 ? -std::expm1(-x) / x : 1.0) / inertia);
 }
 
 /// Answer of a cell to a change dG of the driving force density: du = velocity dG, total volume flux = mobility dG.

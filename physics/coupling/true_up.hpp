@@ -17,8 +17,8 @@ struct SampledChange {
 };
 
 /// Impulse owed to a grain, to be delivered evenly over the next interval [N s].
-/// @param predictor_response   grain_response with the yield of the predictor.
-/// @param projection_response  grain_response with the yield of the projection.
+/// @param predictor_response   response_to_velocity() with the yield of the predictor.
+/// @param projection_response  response_to_pressure() with the yield of the projection.
 [[nodiscard]] inline double owed_impulse(const SampledChange& at, double volume, const GrainResponse& predictor_response,
                                          const GrainResponse& projection_response, double dt)
 {

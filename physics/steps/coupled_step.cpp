@@ -139,9 +139,7 @@ void CoupledStep::declare_grain_load(tasks::StageGraph& graph)
         [this](tasks::Lane& lane, const core::FieldBatch<state_views>& told, const core::FieldBatch<3>& stress, const core::FieldBatch<3>& vorticity,
                const core::ScalarField& fraction, const FluidClock& clock, const GrainPlaces& places, ParticleDynamics& grains) {
             const GrainTable table = sample(lane.team(), places, std::size_t(grains.particles.owned), told, stress, vorticity);
-            std::vector<double> fractions(std::size_t(grains.particles.owned));
-            for (LocalBlock b = 0; b < mesh_.own_count(); ++b) places.sample(b, fraction.on(b), fractions);
-            exchange_.freeze_drag(grains.particles, table, fractions);
+            exchange_.freeze_drag(grains.particles, table, fractions_at(places, grains.particles, fraction));
             exchange_.load(grains.particles, table, drive_of(clock), {clock.dt, grains.step(), 1.0 - clock.memory()});
         },
         reads(f.told, f.stress, f.vorticity, halo(f.fraction, 1), clock_, places_), updates(grains_));
@@ -156,14 +154,22 @@ void CoupledStep::declare_restart_of_grains(tasks::StageGraph& graph)
     graph.whole(
         "load grains again",
         [this](tasks::Lane& lane, const core::FieldBatch<state_views>& told, const core::FieldBatch<3>& stress, const core::FieldBatch<3>& vorticity,
-               const FluidClock& clock, const GrainState& kept, GrainPlaces& places, ParticleDynamics& grains) {
+               const core::ScalarField& fraction, const FluidClock& clock, GrainState& kept, GrainPlaces& places, ParticleDynamics& grains) {
+            places.locate(mesh_, locator_, grains.domain(), kept.particles);
+            const GrainTable table = sample(lane.team(), places, std::size_t(kept.particles.owned), told, stress, vorticity);
+            exchange_.revise(kept.particles, table, fractions_at(places, kept.particles, fraction));
             grains.particles = kept.particles;
             grains.history = kept.history;
-            places.locate(mesh_, locator_, grains.domain(), grains.particles);
-            const GrainTable table = sample(lane.team(), places, std::size_t(grains.particles.owned), told, stress, vorticity);
             exchange_.load(grains.particles, table, drive_of(clock), {clock.dt, grains.step(), 1.0 - clock.memory()});
         },
-        reads(fields_.told, fields_.stress, fields_.vorticity, clock_, kept_), updates(places_, grains_));
+        reads(fields_.told, fields_.stress, fields_.vorticity, halo(fields_.fraction, 1), clock_), updates(kept_, places_, grains_));
+}
+
+std::vector<double> CoupledStep::fractions_at(const GrainPlaces& places, const core::ParticleSet& grains, const core::ScalarField& fraction) const
+{
+    std::vector<double> fractions(std::size_t(grains.owned));
+    for (LocalBlock b = 0; b < mesh_.own_count(); ++b) places.sample(b, fraction.on(b), fractions);
+    return fractions;
 }
 
 void CoupledStep::declare_grain_sums(tasks::StageGraph& graph)

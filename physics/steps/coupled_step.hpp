@@ -67,6 +67,8 @@ private:
     using StateViews = std::array<core::View<double>, state_views>;
     /// The state as grains see it, before the filter.
     void view_state(core::LocalBlock b, CellVectors u, core::View<const double> p, CellVectors acceleration, StateViews out) const;
+    [[nodiscard]] std::vector<double> fractions_at(const GrainPlaces& places, const core::ParticleSet& grains,
+                                                   const core::ScalarField& fraction) const;
     [[nodiscard]] core::Vec3 drive_of(const FluidClock& clock) const;
     [[nodiscard]] FluidOwn own(CellVectors velocity, CellVectors advected, CellVectors pressure_gradient, const FluidClock& clock) const;
     [[nodiscard]] const core::BlockGeometry& geometry(core::LocalBlock b) const { return mesh_.geometry(b); }

@@ -162,8 +162,8 @@ Column::Pass Column::couple(const Told& told)
     Numbers flux, mistaken;
     for (std::size_t i = 0; i < place_.size(); ++i) {
         const GrainCoupling grain{mass_, volume_, drag_[i] * scene_.dt, added_};
-        predictor.push_back(grain_response(grain, physics::predictor_yield(known.share[i])));
-        projection.push_back(grain_response(grain, physics::projection_yield(known.share[i], grain.drag / mass_)));
+        predictor.push_back(response_to_velocity(grain, physics::predictor_yield(known.share[i])));
+        projection.push_back(response_to_pressure(grain, physics::projection_yield(known.share[i], grain.drag / mass_)));
         flux.push_back(volume_ * known.velocity[i]);
         mistaken.push_back(known.exchanged[i] - pass.real.exchanged[i]);
     }

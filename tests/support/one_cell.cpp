@@ -116,8 +116,8 @@ OneCell::Pass OneCell::couple(const Told& told, double drive) const
         pass.real.push_back(advance(grain, told, scene_.substeps, Hold::scene));
         const Lane known = predict(grain, told, pass.real.back());
         const double stiffness = grain.coupling.drag / grain.coupling.mass;
-        each_predictor.push_back(grain_response(grain.coupling, physics::predictor_yield(known.share)));
-        each_projection.push_back(grain_response(grain.coupling, physics::projection_yield(known.share, stiffness)));
+        each_predictor.push_back(response_to_velocity(grain.coupling, physics::predictor_yield(known.share)));
+        each_projection.push_back(response_to_pressure(grain.coupling, physics::projection_yield(known.share, stiffness)));
         add(predictor, each_predictor.back());
         add(projection, each_projection.back());
         exchanged += known.exchanged;

@@ -90,7 +90,7 @@ TEST_CASE("a suspension that starts to settle in a closed box accelerates as the
         const double acceleration = (inside() - v10) / (run.world().time() - t10), cm = c.added_mass ? 0.5 : 0.0;
         const double expected = -(c.ratio - 1) * 9.81 / (c.ratio + solid / c.phi + cm * solid / (c.phi * c.phi) + cm / c.phi);
         std::printf("start-up s %.2f phi %.1f C_m %.1f: %.5f, exact %.5f m/s2, ratio %.4f\n", c.ratio, c.phi, cm, acceleration, expected, acceleration / expected);
-        CHECK(acceleration == doctest::Approx(expected).epsilon(0.02)); // the gate of NUMERICS C5.6
+        CHECK(std::abs(acceleration / expected - 1) < 0.02); // the gate of NUMERICS C5.6
     }
 }
 
@@ -118,7 +118,7 @@ TEST_CASE("a bed that cannot move lets through what Ergun's law says")
             return run.world().coupling()->fields().fraction.on(b)(i, j, k) * run.world().fluid()->state().velocity.on(b).x(i, j, k);
         }) / box.size.prod();
         std::printf("Ergun %.0f Pa/m, phi %.3f: U %.6f, exact %.6f, ratio %.5f\n", gradient, phi, superficial, expected, superficial / expected);
-        CHECK(superficial == doctest::Approx(expected).epsilon(0.02)); // the lattice is not quite uniform after the filter
+        CHECK(std::abs(superficial / expected - 1) < 0.02); // the lattice is not quite uniform after the filter
     }
 }
 
@@ -210,5 +210,5 @@ TEST_CASE("grains carry their share of the viscous stress: a suspension flows be
     const double expected = 0.01 * 64e-6 / (12 * box.viscosity);
     std::printf("viscous suspension C %.3f: mean %.4e exact %.4e ratio %.4f\n", 60 * volume_of(2e-3) / box.size.prod(), mean, expected, mean / expected);
     // Eight cells across and an uneven random suspension; without the grains' share it is C / (1 - C) = 14 % too fast.
-    CHECK(mean == doctest::Approx(expected).epsilon(0.04));
+    CHECK(std::abs(mean / expected - 1) < 0.04);
 }

@@ -132,7 +132,7 @@ TEST_CASE("every mode that is not refused is bounded and closes momentum for all
     }
 }
 
-TEST_CASE("a locked bed carries its pressure drop after some steps, however stiff")
+TEST_CASE("a locked bed carries its pressure drop within three steps of a flow switched on, however stiff")
 {
     for (Mode mode : {Mode::pipelined, Mode::iterated}) {
         for (double b : {0.1, 1.0, 20.0, 1e3, 1e5}) {
@@ -150,7 +150,10 @@ TEST_CASE("a locked bed carries its pressure drop after some steps, however stif
                 if (std::abs(cell.force() / exact - 1.0) > 0.01) late = n;
             }
             std::printf("locked, flow switched on: %-9s b %g  pressure drop within 1 %% after %d steps\n", physics::name(mode), b, late + 1);
-            CHECK(late < 30); // each step closes a fixed share of the gap, whatever b
+            // NUMERICS D 3. `auto` iterates from b = 5 on. In one pass, and where b is small (then the projection must take a
+            // held grain for a free one, or it is unstable), each pass closes a share of the gap.
+            const bool stiff = mode == Mode::iterated && b >= 1.0;
+            CHECK(late + 1 <= (stiff ? 3 : 12));
         }
     }
 }

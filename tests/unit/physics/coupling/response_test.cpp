@@ -18,19 +18,38 @@ TEST_CASE("the response of a cell equals the solution of its coupled equations")
     Eigen::Matrix3d matrix;
     matrix << fluid + k1 + k2, -k1, -k2, -k1, 1.2 + k1, 0.0, -k2, 0.0, 0.5 + k2;
     const Eigen::Vector3d exact = matrix.inverse() * Eigen::Vector3d(dt * phi, dt * 0.2, dt * 0.1);
-    const auto a = physics::grain_response(one, 1.0), b = physics::grain_response(two, 1.0);
+    const auto a = physics::response_to_pressure(one, 1.0), b = physics::response_to_pressure(two, 1.0);
     const physics::GrainResponse sum{a.reaction + b.reaction, a.flux + b.flux, a.displaced + b.displaced, 0.0, 0.0};
     const auto found = physics::cell_response(fluid, phi, sum, dt);
     CHECK(found.velocity == doctest::Approx(exact[0]).epsilon(1e-12));
     CHECK(found.mobility == doctest::Approx(phi * exact[0] + 0.2 * exact[1] + 0.1 * exact[2]).epsilon(1e-12));
 }
 
+TEST_CASE("a grain follows a change of fluid velocity as its equation of motion says")
+{
+    const double mass = 1.2, volume = 0.2, drag = 0.7, added = 0.1, dt = 1.0, yield = 0.6;
+    double v = 0, impulse = 0; // (m + q a) dv/dt = q (K (1 - v) + a / dt): fluid that is faster by 1, reached evenly over the step
+    constexpr int parts = 200000;
+    for (int n = 0; n < parts; ++n) {
+        const double middle = v + 0.5 * dt / parts * yield * (drag * (1 - v) + added) / (mass + yield * added);
+        const double gain = dt / parts * yield * (drag * (1 - middle) + added) / (mass + yield * added);
+        impulse += dt / parts * drag * (1 - middle) + added / parts - added * gain;
+        v += gain;
+    }
+    const auto found = physics::response_to_velocity({mass, volume, drag * dt, added}, yield);
+    CHECK(found.flux == doctest::Approx(volume * v).epsilon(1e-8));
+    CHECK(found.reaction == doctest::Approx(impulse).epsilon(1e-8));
+    CHECK(found.added_flux / found.flux == doctest::Approx(added / (drag * dt + added)));
+}
+
 TEST_CASE("a held grain takes the full drag and gives no way; a share outside 0..1 is clipped")
 {
-    const auto held = physics::grain_response({1.0, 0.3, 5.0, 0.0}, 0.0);
-    CHECK(held.reaction == 5.0);
-    CHECK(held.flux == 0.0);
-    CHECK(held.displaced == 0.0);
+    for (const auto response : {physics::response_to_pressure, physics::response_to_velocity}) {
+        const auto held = response({1.0, 0.3, 5.0, 0.0}, 0.0);
+        CHECK(held.reaction == 5.0);
+        CHECK(held.flux == 0.0);
+        CHECK(held.displaced == 0.0);
+    }
     CHECK(physics::contact_share(-2.0, 2.0) == 1.0);
     CHECK(physics::contact_share(-9.0, 2.0) == 1.0);
     CHECK(physics::contact_share(1.0, 2.0) == 0.0);

@@ -5,6 +5,14 @@
 
 namespace io {
 
+/// A list that may be left out.
+static Value optional_list(std::vector<std::string>& place)
+{
+    Value value = list_value(place, "");
+    value.write = [&place, write = value.write] { return place.empty() ? std::string() : write(); };
+    return value;
+}
+
 void describe(Schema& s, SpacingKeys& p)
 {
     s.required("boundary", p.boundary, "", "Name of the boundary, as `isago plan` lists it");
@@ -26,7 +34,7 @@ void describe(Schema& s, EllipticKeys& p)
 {
     s.list("spacing", p.spacing, "Heights of the cells at boundaries");
     s.list("attract", p.attract, "Places in index space that pull grid lines together: surfaces, lines and points");
-    s.value("smooth", "Names of plane boundaries whose own vertices are generated too", list_value(p.smooth, ""));
+    s.value("smooth", "Names of plane boundaries whose own vertices are generated too", optional_list(p.smooth));
     s.value("curvature", "spline: second order, as in Ushijima & Nezu (2001); compact: fourth order", choice_of(p.curvature, curvature_words));
 }
 

@@ -28,15 +28,15 @@ physics::TimeStepLimit World::limit_of_step() const
     std::array all{rates.displacement, rates.distortion, rates.growth, grains_ ? physics::largest_speed(grains_->particles) : 0.0};
     ranks_.max(all);
     physics::TimeStepOptions options;
-    options.largest = (scene_.run.until + scene_.run.settle) / still_steps;
+    if (!scene_.run.time_step) options.largest = (scene_.run.until + scene_.run.settle) / still_steps;
     options.displacement = scene_.run.limits.cfl;
     physics::TimeStepLimit limit = physics::time_step_limit({all[0], all[1], all[2]}, options);
     if (coupling_) {
         const double width = coupling_parameters(scene_).filter_width;
         limit.tighten(physics::grain_move_limit(scene_.run.limits.particle_move, width, all[3], pull.norm()), "particle move");
     }
-    limit.dt *= shortening_;
     if (scene_.run.time_step) limit.tighten(*scene_.run.time_step, "time_step of the scene");
+    limit.dt *= shortening_;
     return limit;
 }
 

@@ -4,6 +4,7 @@
 #include "core/grid/halo_map.hpp"
 #include "physics/fluid/hermite.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 
 namespace physics {
@@ -130,8 +131,22 @@ void for_each_chunk(core::Extents n, Body body)
 
 } // namespace
 
-void index_velocity(const core::BlockGeometry& geometry, core::VectorView<const double> velocity,
-                    core::VectorView<const double> before, double extrapolation, core::VectorView<double> index_velocity)
+void transport_velocity(const core::BlockGeometry& geometry, core::FaceView<const double> flux, core::VectorView<double> out)
+{
+    core::for_each_cell(geometry.cells, [&](int i, int j, int k) {
+        const double twice = 2 * geometry.volume(i, j, k);
+        const core::Vec3 rates((flux.i(i, j, k) + flux.i(i + 1, j, k)) / twice, (flux.j(i, j, k) + flux.j(i, j + 1, k)) / twice,
+                               (flux.k(i, j, k) + flux.k(i, j, k + 1)) / twice);
+        Eigen::Matrix3d inverse_jacobian;
+        for (int m = 0; m < 3; ++m)
+            for (int n = 0; n < 3; ++n) inverse_jacobian(m, n) = geometry.inverse_jacobian[std::size_t(m)][std::size_t(n)](i, j, k);
+        const core::Vec3 velocity = inverse_jacobian.inverse() * rates;
+        for (int c = 0; c < 3; ++c) out.component(c)(i, j, k) = velocity[c];
+    });
+}
+
+void index_velocity(const core::BlockGeometry& geometry, core::VectorView<const double> transport, const Extrapolation& change,
+                    core::VectorView<double> index_velocity)
 {
     const core::Extents n = geometry.cells;
     for (int m = 0; m < 3; ++m) {
@@ -139,14 +154,14 @@ void index_velocity(const core::BlockGeometry& geometry, core::VectorView<const 
         const auto out = index_velocity.component(m);
         for (int k = -1; k <= n.nk; ++k)
             for (int j = -1; j <= n.nj; ++j) {
-                const double *ax = inverse[0].view().row(j, k), *ay = inverse[1].view().row(j, k), *az = inverse[2].view().row(j, k);
-                const double *ux = velocity.x.row(j, k), *uy = velocity.y.row(j, k), *uz = velocity.z.row(j, k);
-                const double *bx = before.x.row(j, k), *by = before.y.row(j, k), *bz = before.z.row(j, k);
                 double* o = out.row(j, k);
+                std::fill(o - 1, o + n.ni + 1, 0.0);
+                for (int c = 0; c < 3; ++c) {
+                    const double *a = inverse[std::size_t(c)].view().row(j, k), *w = transport.component(c).row(j, k);
+                    const double *u = change.velocity.component(c).row(j, k), *before = change.before.component(c).row(j, k);
 #pragma omp simd
-                for (int i = -1; i <= n.ni; ++i)
-                    o[i] = ax[i] * (ux[i] + extrapolation * (ux[i] - bx[i])) + ay[i] * (uy[i] + extrapolation * (uy[i] - by[i])) +
-                           az[i] * (uz[i] + extrapolation * (uz[i] - bz[i]));
+                    for (int i = -1; i <= n.ni; ++i) o[i] += a[i] * (w[i] + change.weight * (u[i] - before[i]));
+                }
             }
     }
 }

@@ -7,12 +7,23 @@
 
 namespace physics {
 
+/// Velocity whose flux through a cell is the mean of those through its faces. What carries a flow must be as free of divergence as
+/// the fluxes are: velocities of cells hide modes from the pressure, and a flow that they carry gains energy by itself.
+/// @param flux       Through faces [m3/s].
+/// @param[out] out   Interior [m/s].
+void transport_velocity(const core::BlockGeometry& geometry, core::FaceView<const double> flux, core::VectorView<double> out);
+
+/// How the velocity of the last two times goes on to the middle of the step; one halo layer each.
+struct Extrapolation {
+    core::VectorView<const double> velocity, before;
+    double weight; ///< of (velocity - before): half of this step over the step before; 0 leaves them out
+};
+
 /// Velocity in cells per second, U_m = d(xi_m)/d(x_j) u_j, at the middle of the step.
-/// @param velocity, before  At the two last times, two halo layers.
-/// @param extrapolation     Weight of (velocity - before): half of this step over the step before; 0 uses velocity alone.
+/// @param transport            At the start of the step, one halo layer.
 /// @param[out] index_velocity  Interior and one halo layer [1/s].
-void index_velocity(const core::BlockGeometry& geometry, core::VectorView<const double> velocity,
-                    core::VectorView<const double> before, double extrapolation, core::VectorView<double> index_velocity);
+void index_velocity(const core::BlockGeometry& geometry, core::VectorView<const double> transport, const Extrapolation& change,
+                    core::VectorView<double> index_velocity);
 
 /// Displacement in cells over one step, by two iterations of the midpoint rule with trilinear velocity; clipped to one
 /// cell in each direction, which is as far as the stencils reach.

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 // CoupledStep, the cells' side: predictor, volume flux of the mixture, projection, correction.
+#include "physics/fluid/advection_lcsi.hpp"
 #include "physics/fluid/cell_loops.hpp"
 #include "physics/fluid/flux_memory.hpp"
 #include "physics/fluid/gradient.hpp"
@@ -23,6 +24,20 @@ void CoupledStep::declare_boundaries(tasks::StageGraph& graph)
     for (core::ScalarField* field : {&fields_.fraction, &fields_.mobility, &fields_.known_mobility})
         graph.boundary(*field, "walls of " + field->info().name,
                        [this](LocalBlock b, View<double> q) { mirror_even(fluid_.walls()[std::size_t(b)], 1, q); });
+}
+
+/// The fluxes are the mixture's: what carries the fluid is its part of them.
+void CoupledStep::declare_transport(tasks::StageGraph& graph)
+{
+    graph.each_block(
+        "transport velocity beside grains",
+        [this](LocalBlock b, FaceView<const double> flux, GrainSumViews sums, VectorView<double> transport) {
+            transport_velocity(geometry(b), flux, transport);
+            const auto of_fluid = [](double mixture, double solid, double solid_flux) { return (mixture - solid_flux) / (1.0 - solid); };
+            for (int c = 0; c < 3; ++c)
+                map_cells(transport.component(c), of_fluid, transport.component(c), sums[sum_solid], sums[sum_flux + std::size_t(c)]);
+        },
+        reads(fluid_.state().flux, fields_.sums), writes(fluid_.fields().transport));
 }
 
 /// Of the flux of the mixture at the start of the step: compared with what fluid and grains carry there and then.

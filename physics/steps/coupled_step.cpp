@@ -55,6 +55,7 @@ void CoupledStep::declare(tasks::StageGraph& graph, Mode mode)
         if (pass == 0) {
             const auto lane = graph.lane("fluid");
             fluid_.declare_explicit(graph);
+            declare_transport(graph);
             declare_memory(graph);
         } else declare_gradient(graph);
         {

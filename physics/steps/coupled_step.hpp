@@ -47,6 +47,7 @@ private:
     void declare_grain_load(tasks::StageGraph& graph);
     void declare_restart_of_grains(tasks::StageGraph& graph);
     void declare_grain_sums(tasks::StageGraph& graph);
+    void declare_transport(tasks::StageGraph& graph);
     void declare_memory(tasks::StageGraph& graph);
     void declare_advected(tasks::StageGraph& graph);
     void declare_predictor(tasks::StageGraph& graph);

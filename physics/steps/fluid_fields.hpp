@@ -14,6 +14,7 @@ struct FluidFields {
           gradient_z({"gradient of velocity z", "1/s", 1, false}, mesh.own_cells()),
           viscous({"viscous acceleration", "m/s2", 0, false}, mesh.own_cells()),
           source({"velocity to advect", "m/s", 3, false}, mesh.own_cells()),
+          transport({"transport velocity", "m/s", 1, false}, mesh.own_cells()),
           index_velocity({"velocity in index space", "1/s", 1, false}, mesh.own_cells()),
           displacement({"displacement", "cells", 0, false}, mesh.own_cells()),
           advected({"advected velocity", "m/s", 0, false}, mesh.own_cells()),
@@ -34,6 +35,7 @@ struct FluidFields {
     core::VectorField pressure_gradient, gradient_x, gradient_y, gradient_z;
     core::VectorField viscous;        ///< explicit, at the start of the step
     core::VectorField source;         ///< what is interpolated at the departure points
+    core::VectorField transport;      ///< what carries: velocity as the fluxes through the faces of a cell have it
     core::VectorField index_velocity, displacement;
     core::VectorField advected;       ///< source at the departure points
     core::VectorField predicted;      ///< before the projection

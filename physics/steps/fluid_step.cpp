@@ -5,6 +5,7 @@
 #include "physics/fluid/cell_loops.hpp"
 #include "physics/fluid/diffusion.hpp"
 #include "physics/fluid/gradient.hpp"
+#include "physics/fluid/quasi_monotone.hpp"
 
 namespace physics {
 
@@ -31,6 +32,7 @@ void FluidStep::declare(tasks::StageGraph& graph)
     const auto lane = graph.lane("fluid");
     declare_boundaries(graph);
     declare_explicit(graph);
+    declare_transport(graph);
     declare_predictor(graph);
     declare_projection(graph);
 }
@@ -43,6 +45,14 @@ void FluidStep::declare_explicit(tasks::StageGraph& graph)
         [this](LocalBlock b, View<const double> p, VectorView<double> gp) { gradient(geometry(b), geometry(b).gradient, p, gp); },
         reads(halo(state_.pressure, 1)), writes(f.pressure_gradient));
     if (viscosity_system_) declare_explicit_viscosity(graph);
+}
+
+void FluidStep::declare_transport(tasks::StageGraph& graph)
+{
+    graph.each_block(
+        "transport velocity",
+        [this](LocalBlock b, FaceView<const double> flux, VectorView<double> out) { transport_velocity(geometry(b), flux, out); },
+        reads(state_.flux), writes(fields_.transport));
 }
 
 void FluidStep::declare_predictor(tasks::StageGraph& graph)
@@ -67,6 +77,8 @@ void FluidStep::declare_boundaries(tasks::StageGraph& graph)
     graph.boundary(state_.velocity, "walls of velocity",
                    [this](LocalBlock b, VectorView<double> u) { mirror_velocity(walls_of(b), 3, u); });
     graph.boundary(state_.velocity_before, "walls of velocity before",
+                   [this](LocalBlock b, VectorView<double> u) { mirror_velocity(walls_of(b), 1, u); });
+    graph.boundary(fields_.transport, "walls of transport velocity",
                    [this](LocalBlock b, VectorView<double> u) { mirror_velocity(walls_of(b), 1, u); });
     graph.boundary(fields_.predicted, "walls of predicted velocity",
                    [this](LocalBlock b, VectorView<double> u) { mirror_velocity(walls_of(b), 1, u); });
@@ -122,17 +134,20 @@ void FluidStep::declare_advection(tasks::StageGraph& graph)
             reads(state_.velocity, f.pressure_gradient, clock_), writes(f.source));
     graph.each_block(
         "velocity in index space",
-        [this](LocalBlock b, Vectors u, Vectors before, const FluidClock& clock, VectorView<double> out) {
-            index_velocity(geometry(b), u, before, clock.extrapolation(), out);
+        [this](LocalBlock b, Vectors transport, Vectors u, Vectors before, const FluidClock& clock, VectorView<double> out) {
+            index_velocity(geometry(b), transport, {u, before, clock.extrapolation()}, out);
         },
-        reads(halo(state_.velocity, 3), halo(state_.velocity_before, 1), clock_), writes(f.index_velocity));
+        reads(halo(f.transport, 1), halo(state_.velocity, 3), halo(state_.velocity_before, 1), clock_), writes(f.index_velocity));
     graph.each_block(
         "trajectories",
         [](LocalBlock, Vectors u, const FluidClock& clock, VectorView<double> out) { trajectories(u, clock.dt, out); },
         reads(f.index_velocity, clock_), writes(f.displacement));
     graph.each_block(
         "advect velocity",
-        [this](LocalBlock b, Vectors q, Vectors displacement, VectorView<double> out) { advect(geometry(b), q, displacement, singular_axes_[std::size_t(b)], out); },
+        [this](LocalBlock b, Vectors q, Vectors displacement, VectorView<double> out) {
+            advect(geometry(b), q, displacement, singular_axes_[std::size_t(b)], out);
+            keep_in_range(q, displacement, out);
+        },
         reads(halo(f.source, 3), f.displacement), writes(f.advected));
 }
 

@@ -27,6 +27,8 @@ public:
     void declare_boundaries(tasks::StageGraph& graph);
     /// Gradient of pressure and viscous acceleration of the old state.
     void declare_explicit(tasks::StageGraph& graph);
+    /// What carries the fluid, where it is alone.
+    void declare_transport(tasks::StageGraph& graph);
     /// Up to the predicted velocity: nothing here depends on the particles of this step.
     void declare_predictor(tasks::StageGraph& graph);
     /// From the predicted velocity to the new state.

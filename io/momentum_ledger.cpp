@@ -3,6 +3,7 @@
 #include "io/momentum_ledger.hpp"
 #include "io/exact_sums.hpp"
 #include "io/physics_builder.hpp"
+#include "physics/fluid/cell_loops.hpp"
 #include "physics/fluid/momentum_budget.hpp"
 #include <algorithm>
 #include <numbers>
@@ -87,24 +88,31 @@ void MomentumLedger::sum_step(core::LocalBlock b, std::span<double> sum) const
     const auto advected = own.advected.on(b), miss = f.miss.on(b), change = f.change.on(b);
     const auto old_gradient = own.pressure_gradient.on(b), new_gradient = own.psi_gradient.on(b);
     const auto grains = f.sums.on(b);
-    const bool viscous = own.viscous.allocated();
-    core::for_each_cell(world_.mesh().geometry(b).cells, [&](int i, int j, int k) {
-        const double v = volume(i, j, k), solid = grains[physics::sum_solid](i, j, k);
-        const physics::GrainResponse p = physics::predictor_sums(grains, i, j, k), q = physics::projection_sums(grains, i, j, k);
-        for (int c = 0; c < 3; ++c) {
-            const auto n = std::size_t(c);
-            const auto at = [&](const auto& field) { return field.component(c)(i, j, k); };
-            const double force_change = -at(new_gradient), force = -at(old_gradient) + force_change;
-            const double stress = viscous ? rho * at(own.viscous.on(b)) : 0.0, moved = at(advected) - at(source);
-            sum[of_gradients + n] += v * dt * force;
-            sum[of_advection + n] += rho * v * (phi(i, j, k) * moved + (phi(i, j, k) - old_phi(i, j, k)) * at(before));
-            sum[of_share + n] += v * solid * (dt * stress - rho * (at(after_all) - at(before) - moved));
-            // Steps 4 and 5 of response.hpp, read from the fluid's side, and pressure and stress on the grains.
-            sum[of_given + n] += v * (grains[physics::sum_impulse + n](i, j, k) + p.added * at(miss) + p.reaction * at(change) -
-                                      dt * q.flux * force_change + q.reaction * response(i, j, k) * force_change +
-                                      dt * solid * (force + stress));
-        }
-    });
+    const auto solid = grains[physics::sum_solid];
+    for (int c = 0; c < 3; ++c) {
+        const auto n = std::size_t(c);
+        const auto at = [c](const auto& field) { return field.component(c); };
+        sum[of_gradients + n] += physics::sum_cells([dt](double v, double g, double dg) { return v * dt * (-g - dg); }, volume, at(old_gradient),
+                                                    at(new_gradient));
+        sum[of_advection + n] += physics::sum_cells(
+            [rho](double v, double p, double old_p, double ua, double q, double u) { return rho * v * (p * (ua - q) + (p - old_p) * u); },
+            volume, phi, old_phi, at(advected), at(source), at(before));
+        const double stress = !own.viscous.allocated() ? 0.0 : physics::sum_cells(
+            [push = dt * rho](double v, double s, double a) { return v * s * push * a; }, volume, solid, at(own.viscous.on(b)));
+        sum[of_share + n] += stress - physics::sum_cells(
+            [rho](double v, double s, double uv, double u, double ua, double q) { return v * s * rho * (uv - u - (ua - q)); },
+            volume, solid, at(after_all), at(before), at(advected), at(source));
+        // Steps 4 and 5 of response.hpp, read from the fluid's side, and pressure and stress on the grains.
+        sum[of_given + n] += stress + physics::sum_cells(
+            [dt](double v, double s, double impulse, double added, double du0, double reaction, double du, double dg, double g) {
+                return v * (impulse + added * du0 + reaction * du - dt * s * (g + dg));
+            },
+            volume, solid, grains[physics::sum_impulse + n], grains[physics::sum_added], at(miss), grains[physics::sum_predictor], at(change),
+            at(new_gradient), at(old_gradient));
+        sum[of_given + n] += physics::sum_cells(
+            [dt](double v, double flux, double reaction, double r, double dg) { return v * (dt * flux - reaction * r) * dg; },
+            volume, grains[physics::sum_projection + 1], grains[physics::sum_projection], response, at(new_gradient));
+    }
 }
 
 /// What the walls did in the last step.

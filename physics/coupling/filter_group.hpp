@@ -36,7 +36,7 @@ public:
     /// @param filter  Must outlive the group.
     explicit FilterGroup(const FilterOperator& filter);
 
-    /// Takes in fields [first, first + count), count <= width; the other lanes are zero.
+    /// Takes in fields [first, first + count), 0 < count <= width; the other lanes are copies of the last.
     void put(const core::Team& team, int first, int count, const FieldsIn& fields);
     /// Gives them back.
     void take(const core::Team& team, int first, int count, const FieldsOut& fields) const;

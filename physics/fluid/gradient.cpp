@@ -32,7 +32,7 @@ void gradient(const core::BlockGeometry& geometry, const core::GradientMatrices&
                          *low_k = inverse(2).row(j, k), *high_k = inverse(2).row(j, k + 1);
             double *gx = out.x.row(j, k), *gy = out.y.row(j, k), *gz = out.z.row(j, k);
             const MatrixRow m(matrices, j, k);
-#pragma omp simd
+#pragma omp simd simdlen(4) // rows are short: what does not fill more lanes is left to them one by one
             for (int i = 0; i < n.ni; ++i) {
                 double bx = 0, by = 0, bz = 0;
                 const auto add = [&](std::ptrdiff_t c, std::ptrdiff_t s, double weight) {

@@ -115,17 +115,18 @@ tasks::Job ViscositySystem::solve(tasks::Lane& lane, double diffusion, core::Vec
     });
     co_await form_residual(lane, change, velocity, norms);
     // A change that round-off of the momentum hides is not solved for.
-    const double target = std::max(tolerances_.viscosity * norms.change, 1e-14 * norms.momentum);
-    bool done = norms.residual <= reserve * target;
+    const double round_off = 1e-14 * norms.momentum, target = std::max(tolerances_.viscosity * norms.change, round_off);
+    const double enough = std::max(reserve * target, round_off);
+    bool done = norms.residual <= enough;
     while (!done) {
         correct(lane, velocity, change);
         // The residual shrinks by the same factor again, or nearly so.
         const double factor = before.residual > 0 ? norms.residual / before.residual : 1.0;
-        done = factor * norms.residual <= reserve * target;
+        done = factor * norms.residual <= enough;
         if (done) break;
         before = norms;
         co_await form_residual(lane, change, velocity, norms);
-        done = norms.residual <= reserve * target;
+        done = norms.residual <= enough;
         if (!done && !(norms.residual <= slow * before.residual)) break; // nor if it is not a number
     }
     if (done) co_return;

@@ -60,7 +60,7 @@ Simulation::Simulation(const Scene& scene, const core::Communicator& ranks, cons
     const tasks::Plan& plan = world_.compile();
     executor_ = tasks::make_executor({options.executor, options.threads, options.trace ? &trace_ : nullptr}, plan);
     const bool resumed = options.existing == RunDirectory::Existing::resume;
-    world_.run_iterated_with({executor_->name(), options.threads, nullptr});
+    world_.run_other_modes_with({executor_->name(), options.threads, nullptr});
     outputs_ = std::make_unique<SimulationOutputs>(world_, directory_, log_, resumed);
     report_plan();
 }

@@ -71,7 +71,7 @@ public:
         if (checkpoint.empty()) world_.settle(core::SerialTeam());
         else load_state(CheckpointReader(checkpoint, ranks_), world_);
         const tasks::ExecutorOptions options{executor, executor == "serial" ? 1 : 2, nullptr};
-        world_.run_iterated_with(options);
+        world_.run_other_modes_with(options);
         executor_ = tasks::make_executor(options, world_.compile());
     }
 

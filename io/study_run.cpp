@@ -65,7 +65,7 @@ StudyRun run_once(const Study& study, const StudyCase& one, const core::Communic
     World world(one.scene, ranks);
     world.settle(core::SerialTeam());
     const tasks::ExecutorOptions options{resources.executor, resources.threads, nullptr};
-    world.run_iterated_with(options);
+    world.run_other_modes_with(options);
     const auto executor = tasks::make_executor(options, world.compile());
     Meter meter = meter_for(world, study);
     StudyRun run;

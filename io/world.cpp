@@ -65,7 +65,7 @@ void World::make_coupling()
     coupling_.emplace(mesh_, ranks_, halos_, *fluid_, *grains_, *stepper_, parameters);
     asked_mode_ = asked_mode(scene_);
     if (asked_mode_ == physics::Mode::iterated) mode_reason_ = "iterated: as the scene asks";
-    else mode_reason_ = "pipelined, but iterated in the first step and wherever drag is too stiff for pipelined";
+    else mode_reason_ = core::text(physics::name(planned_mode()), ", but iterated in the first step and wherever drag is too stiff for it");
 }
 
 void World::settle(const core::Team& team)
@@ -81,7 +81,7 @@ void World::settle(const core::Team& team)
 void World::declare()
 {
     if (coupling_) {
-        coupling_->declare(graph_, asked_mode_ == physics::Mode::iterated ? physics::Mode::iterated : physics::Mode::pipelined);
+        coupling_->declare(graph_, planned_mode());
     } else if (fluid_) {
         fluid_->declare(graph_);
     } else if (grains_) {
@@ -100,14 +100,29 @@ const tasks::Plan& World::compile()
 {
     declare();
     plan_.emplace(graph_.compile({"budget"}));
-    if (coupling_ && asked_mode_ != physics::Mode::iterated) {
-        iterated_graph_.emplace(layout_of(mesh_), ranks_);
-        iterated_graph_->fill_halos_with(halos_);
-        coupling_->declare(*iterated_graph_, physics::Mode::iterated);
-        iterated_plan_.emplace(iterated_graph_->compile({"budget"}));
-    }
+    if (coupling_ && planned_mode() != physics::Mode::iterated) add_mode(physics::Mode::iterated);
     initialise();
     return *plan_;
+}
+
+World::OtherMode& World::add_mode(physics::Mode mode)
+{
+    OtherMode& other = others_.try_emplace(mode, layout_of(mesh_), ranks_).first->second;
+    other.graph.fill_halos_with(halos_);
+    coupling_->declare(other.graph, mode);
+    other.plan.emplace(other.graph.compile({"budget"}));
+    return other;
+}
+
+tasks::Executor& World::executor_of(physics::Mode mode)
+{
+    if (!others_.contains(mode)) {
+        add_mode(mode);
+        initialise();
+    }
+    OtherMode& other = others_.at(mode);
+    if (!other.executor) other.executor = tasks::make_executor(other_options_, *other.plan);
+    return *other.executor;
 }
 
 void World::step(tasks::Executor& executor)
@@ -146,9 +161,8 @@ void World::try_step(tasks::Executor& executor)
     auto& now = clock();
     now.dt = next_step();
     if (coupling_) coupling_->sub_steps = sub_steps_;
-    const bool other = coupling_ && choose_mode() != asked_mode_.value_or(physics::Mode::pipelined);
-    if (other && !iterated_executor_) iterated_executor_ = tasks::make_executor(iterated_options_, *iterated_plan_);
-    (other ? *iterated_executor_ : executor).run_step(now.step);
+    const physics::Mode mode = coupling_ ? choose_mode() : planned_mode();
+    (mode == planned_mode() ? executor : executor_of(mode)).run_step(now.step);
     now.advance();
     require_finite(*this);
     if (fluid_ && axis_ && physics::turn_if_due(fluid_->parameters().drive, axis_speed(), now.time, now.drive)) now.steps_since_jump = 0;

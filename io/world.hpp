@@ -9,6 +9,7 @@
 #include "physics/steps/coupled_step.hpp"
 #include "tasks/exchange_filler.hpp"
 #include "tasks/executor.hpp"
+#include <map>
 
 namespace io {
 
@@ -36,8 +37,8 @@ public:
     [[nodiscard]] int sub_steps() const { return sub_steps_; }
     /// Why the coupling of the last step had its mode; empty without coupling.
     [[nodiscard]] const std::string& mode_reason() const { return mode_reason_; }
-    /// How steps of the mode `iterated` run if the plan is of another: the first, and those that are too stiff for it.
-    void run_iterated_with(const tasks::ExecutorOptions& options) { iterated_options_ = options; }
+    /// How steps run whose mode is not that of the plan: the first, and those for which another is better.
+    void run_other_modes_with(const tasks::ExecutorOptions& options) { other_options_ = options; }
 
     /// The rank that owns what lies at a position relative to the domain's origin [m]; the same on all ranks.
     [[nodiscard]] int owner_of(const core::Vec3& position) const;
@@ -68,6 +69,15 @@ private:
     void make_coupling();
     void declare();
     [[nodiscard]] physics::Mode choose_mode();
+    [[nodiscard]] physics::Mode planned_mode() const { return asked_mode_.value_or(physics::Mode::pipelined); }
+    struct OtherMode {
+        OtherMode(const tasks::Layout& layout, const core::Communicator& ranks) : graph(layout, ranks) {}
+        tasks::StageGraph graph;
+        std::optional<tasks::Plan> plan;
+        std::unique_ptr<tasks::Executor> executor;
+    };
+    OtherMode& add_mode(physics::Mode mode);
+    [[nodiscard]] tasks::Executor& executor_of(physics::Mode mode);
     void try_step(tasks::Executor& executor);
     void put_back();
     void initialise();
@@ -90,10 +100,8 @@ private:
     std::optional<physics::Mode> asked_mode_;
     bool has_been_unstable_ = false;
     std::string mode_reason_;
-    std::optional<tasks::StageGraph> iterated_graph_;
-    std::optional<tasks::Plan> iterated_plan_;
-    tasks::ExecutorOptions iterated_options_{.kind = "serial"};
-    std::unique_ptr<tasks::Executor> iterated_executor_;
+    std::map<physics::Mode, OtherMode> others_;
+    tasks::ExecutorOptions other_options_{.kind = "serial"};
     int sub_steps_ = 0;
     std::string limit_name_; ///< of the last step
     double shortening_ = 1.0; ///< of the step that is being tried again

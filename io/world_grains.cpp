@@ -126,10 +126,14 @@ physics::CouplingParameters coupling_parameters(const Scene& scene)
 std::optional<physics::Mode> asked_mode(const Scene& scene)
 {
     const CouplingMode mode = scene.coupling.value_or(Coupling{}).mode;
-    core::require<core::ConfigError>(mode != CouplingMode::coarse && mode != CouplingMode::concurrent,
-                                     "coupling.mode: 'coarse' and 'concurrent' cannot be run yet; use auto, pipelined or iterated");
-    if (mode == CouplingMode::automatic) return std::nullopt;
-    return mode == CouplingMode::iterated ? physics::Mode::iterated : physics::Mode::pipelined;
+    switch (mode) {
+    case CouplingMode::automatic: break;
+    case CouplingMode::pipelined: return physics::Mode::pipelined;
+    case CouplingMode::coarse: return physics::Mode::coarse;
+    case CouplingMode::concurrent: return physics::Mode::concurrent;
+    case CouplingMode::iterated: return physics::Mode::iterated;
+    }
+    return std::nullopt;
 }
 
 } // namespace io

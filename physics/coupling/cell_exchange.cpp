@@ -38,6 +38,22 @@ void predicted_volume_flux(const FluidOwn& own, const GrainSumViews& sums, CellV
     });
 }
 
+void unpaid_impulse(const FluidOwn& own, const GrainSumViews& sums, const FluidAnswer& answer, core::VectorView<double> ledger)
+{
+    core::for_each_cell(own.velocity.x.extents(), [&](int i, int j, int k) {
+        const double phi = 1.0 - sums[sum_solid](i, j, k);
+        const GrainResponse p = predictor_sums(sums, i, j, k), q = projection_sums(sums, i, j, k);
+        for (int c = 0; c < 3; ++c) {
+            const auto at = [&](const CellVectors& field) { return field.component(c)(i, j, k); };
+            const double force = own.density * own.drive[c] - at(own.pressure_gradient);
+            double& left = ledger.component(c)(i, j, k);
+            const FluidPush push{left, force, sums[sum_impulse + std::size_t(c)](i, j, k), at(own.velocity), at(own.advected), at(answer.miss)};
+            left = impulse_on_fluid(push, own.density * phi, phi, p, own.dt) - p.reaction * at(answer.change) -
+                   (own.dt * (phi + q.flux) - q.reaction * answer.response(i, j, k)) * at(answer.gradient_change);
+        }
+    });
+}
+
 void projection_response(const GrainSumViews& sums, double density, double dt, core::View<double> response, core::View<double> mobility)
 {
     core::for_each_cell(response.extents(), [&](int i, int j, int k) {

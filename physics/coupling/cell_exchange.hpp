@@ -31,4 +31,17 @@ void predicted_volume_flux(const FluidOwn& own, const GrainSumViews& sums, CellV
 /// Coefficients of the projection.
 void projection_response(const GrainSumViews& sums, double density, double dt, core::View<double> response, core::View<double> mobility);
 
+/// How the fluid answered in a step.
+struct FluidAnswer {
+    CellVectors change;            ///< du of the predictor [m/s]
+    core::View<const double> response; ///< ru of the projection [m3 s/kg]
+    CellVectors gradient_change;   ///< of the pressure, -dG [Pa/m]
+    CellVectors miss;              ///< [m/s]
+};
+
+/// Ledger: what is left of the fluid's equation with the sums over the real grains in place of those it took.
+/// @param own     With the new velocity.
+/// @param ledger  In: what the step paid; out: what it leaves [N s/m3].
+void unpaid_impulse(const FluidOwn& own, const GrainSumViews& sums, const FluidAnswer& answer, core::VectorView<double> ledger);
+
 } // namespace physics

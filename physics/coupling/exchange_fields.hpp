@@ -43,7 +43,8 @@ struct ExchangeFields {
           ledger({"ledger", "N s/m3", 0, true}, mesh.own_cells()),
           fraction_before({"fluid fraction before", "1", 0, false}, mesh.own_cells()),
           gradient({"gradient for vorticity", "1/s", 0, false}, mesh.own_cells()),
-          sums({"sums over grains", "", 1, false}, mesh.own_cells()), told({"told state", "", 1, false}, mesh.own_cells()),
+          sums({"sums over grains", "", 1, false}, mesh.own_cells()),
+          assumed({"sums over assumed grains", "", 1, false}, mesh.own_cells()), told({"told state", "", 1, false}, mesh.own_cells()),
           stress({"viscous stress for grains", "N/m3", 1, false}, mesh.own_cells()),
           vorticity({"vorticity for grains", "1/s", 1, false}, mesh.own_cells()),
           news({"answer for grains", "", 1, false}, mesh.own_cells()), advected({"advected velocity u^a", "m/s", 0, false}, mesh.own_cells()),
@@ -61,7 +62,7 @@ struct ExchangeFields {
     core::VectorField ledger;       ///< L: impulse that the fluid is still owed
     core::ScalarField fraction_before;
     core::VectorField gradient; ///< scratch of the vorticity
-    core::FieldBatch<grain_sums> sums;
+    core::FieldBatch<grain_sums> sums, assumed; ///< of the grains as they are, and as a fluid lane takes them that does not wait
     core::FieldBatch<state_views> told; ///< filtered state that the grains are told: follows from the state, so no checkpoint has it
     core::FieldBatch<3> stress, vorticity;
     core::FieldBatch<grain_news> news;

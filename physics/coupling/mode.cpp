@@ -22,13 +22,13 @@ bool concurrent_holds(const StabilityNumbers& n)
     return n.stiffness <= stiff_for_concurrent && (n.amplification < quiet_amplification || n.solid_fraction < dilute);
 }
 
+} // namespace
+
 bool holds(Mode mode, const StabilityNumbers& n)
 {
     if (mode == Mode::concurrent) return concurrent_holds(n);
     return mode == Mode::iterated || n.stiffness <= stiff_for_pipelined;
 }
-
-} // namespace
 
 double added_mass_amplification(double phi, double density_ratio, double added_mass_coefficient)
 {
@@ -59,8 +59,8 @@ ModeChoice choose_mode(const StabilityNumbers& n)
     if (n.stiffness > stiff_for_auto) {
         return {Mode::iterated, core::text("iterated: drag is too stiff for one pass (b > ", stiff_for_auto, "); ", numbers)};
     }
-    if (concurrent_holds(n)) {
-        return {Mode::concurrent, core::text("concurrent: soft drag, and gas or dilute, nothing needs to wait; ", numbers)};
+    if (concurrent_holds(n) && n.solid_fraction < dilute) {
+        return {Mode::concurrent, core::text("concurrent: soft drag and few grains, nothing needs to wait; ", numbers)};
     }
     return {Mode::pipelined, core::text("pipelined: grains in contact or pressure lag (A) need the grains' real state; ", numbers)};
 }
@@ -72,15 +72,7 @@ ModeChoice mode_of_step(std::optional<Mode> asked, const StabilityNumbers& numbe
     const ModeChoice best = choose_mode(numbers);
     if (asked && holds(*asked, numbers)) return {*asked, core::text(name(*asked), ": as the scene asks")};
     if (asked) return {Mode::iterated, core::text("iterated: '", name(*asked), "' is unstable in this state; ", best.reason)};
-    if (best.mode != Mode::concurrent) return best;
-    return {Mode::pipelined, core::text("pipelined: holds wherever concurrent does (", best.reason, ")")};
-}
-
-void require_stable(Mode mode, const StabilityNumbers& n)
-{
-    core::require<core::ConfigError>(holds(mode, n), core::text("coupling mode '", name(mode), "' is unstable here; use '",
-                                                                name(choose_mode(n).mode), "' or a smaller step (",
-                                                                choose_mode(n).reason, ")"));
+    return best;
 }
 
 } // namespace physics

@@ -16,6 +16,9 @@ enum class Mode {
     iterated    ///< as pipelined, the interval repeated with what was found
 };
 
+/// Does the fluid lane wait for the real grains?
+[[nodiscard]] inline bool waits_for_grains(Mode mode) { return mode == Mode::pipelined || mode == Mode::iterated; }
+
 /// Extremes of a scene that decide stability.
 struct StabilityNumbers {
     double stiffness = 0.0;     ///< b = K dt / m, the largest [-]
@@ -38,14 +41,14 @@ struct ModeChoice {
 
 [[nodiscard]] const char* name(Mode mode);
 
-/// The mode with the most overlap that holds for these numbers, and why.
+/// Is a mode stable for these numbers?
+[[nodiscard]] bool holds(Mode mode, const StabilityNumbers& numbers);
+
+/// The mode with the most overlap that holds for these numbers and lets a bed come to rest, and why.
 [[nodiscard]] ModeChoice choose_mode(const StabilityNumbers& numbers);
 
 /// The mode of one step, and why: the first of a run, and every step that the mode asked for could not stand, is `iterated`.
-/// @param asked  None: by choose_mode(), among the modes that steps are made of (`pipelined`, `iterated`).
+/// @param asked  None: by choose_mode().
 [[nodiscard]] ModeChoice mode_of_step(std::optional<Mode> asked, const StabilityNumbers& numbers, std::int64_t step);
-
-/// @throws core::ConfigError if the user asked for a mode that these numbers make unstable; names the mode that holds.
-void require_stable(Mode mode, const StabilityNumbers& numbers);
 
 } // namespace physics

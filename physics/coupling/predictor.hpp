@@ -16,14 +16,20 @@ struct FluidPush {
     double miss = 0.0;             ///< velocity_used - u^a - dt Dudt_used: acceleration the grains were not told [m/s]
 };
 
+/// Impulse on the fluid of a cell before it changes its velocity from `velocity_used` [N s/m3].
+/// @param sums  put() of the grains' responses with the yield of the predictor.
+[[nodiscard]] inline double impulse_on_fluid(const FluidPush& push, double fluid_mass, double phi, const GrainResponse& sums, double dt)
+{
+    return push.ledger + dt * phi * push.force - push.exchanged + fluid_mass * (push.velocity_advected - push.velocity_used) -
+           sums.added * push.miss;
+}
+
 /// Change du of the fluid velocity from `velocity_used`.
 /// @param sums  put() of the grains' responses with the yield of the predictor.
 [[nodiscard]] inline double predicted_change(const FluidPush& push, double fluid_mass, double phi,
                                              const GrainResponse& sums, double dt)
 {
-    const double impulse = push.ledger + dt * phi * push.force - push.exchanged
-                         + fluid_mass * (push.velocity_advected - push.velocity_used) - sums.added * push.miss;
-    return impulse / (fluid_mass + sums.reaction);
+    return impulse_on_fluid(push, fluid_mass, phi, sums, dt) / (fluid_mass + sums.reaction);
 }
 
 /// Solid volume flux that belongs to the predictor, beside put(V v).

@@ -98,6 +98,13 @@ void ParticleDynamics::dissolve(const core::Team& team)
             }
 }
 
+void ParticleDynamics::set_step(double step)
+{
+    step_ = step;
+    pair_laws_ = pair_laws(parameters_, step);
+    wall_laws_ = wall_laws(parameters_, step);
+}
+
 void ParticleDynamics::forget_lists()
 {
     particles.resize_ghosts(0);

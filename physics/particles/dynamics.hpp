@@ -27,6 +27,8 @@ public:
 
     [[nodiscard]] const core::Domain& domain() const { return domain_; }
     [[nodiscard]] double step() const { return step_; }
+    /// @pre no batch of sub-steps has been begun
+    void set_step(double step);
 
     /// Reach of the lists beyond touching [m]; the same on all ranks. @param greatest_radius  Of all ranks [m].
     void set_reach(double greatest_radius);

@@ -24,6 +24,11 @@ ParticleStepper::ParticleStepper(ParticleDynamics& dynamics, OwnerOf owner_of, i
 {
 }
 
+ParticleStepper::ParticleStepper(ParticleDynamics& dynamics, const ParticleStepper& like)
+    : ParticleStepper(dynamics, like.owner_of_, like.rank_, like.ranks_)
+{
+}
+
 void ParticleStepper::begin(const Motion& motion, int sub_steps)
 {
     motion_ = motion;

@@ -22,6 +22,8 @@ class ParticleStepper {
 public:
     /// @param ranks  Size of the communicator that will be used.
     ParticleStepper(ParticleDynamics& dynamics, OwnerOf owner_of, int rank, int ranks);
+    /// For other particles on the same ranks.
+    ParticleStepper(ParticleDynamics& dynamics, const ParticleStepper& like);
 
     /// Starts a batch of `sub_steps` sub-steps; no messages.
     void begin(const Motion& motion, int sub_steps);

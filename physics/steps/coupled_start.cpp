@@ -38,8 +38,9 @@ tasks::Job CoupledStep::initialise(tasks::Lane& lane)
     const core::ScalarField volume = volumes(mesh_);
     const core::FaceField faces = transmissibilities(mesh_);
     const MeshLinks links = make_mesh_links(mesh_, ranks_.rank(), BehindWalls::nothing);
-    co_await set_up(lane, filter_, {&faces, links.transmissibility, nullptr}, volume);
-    co_await sum_over_grains(lane, dynamics_, 0.0, places_.get(), fields_.sums);
+    for (LaneFilter* filter : {&filter_, fluid_filter_.get()})
+        if (filter) co_await set_up(lane, filter->own, {&faces, links.transmissibility, nullptr}, volume);
+    co_await sum_over_grains(lane, dynamics_.particles, 0.0, places_.get(), filter_.own, fields_.sums);
     for (LocalBlock b = 0; b < mesh_.own_count(); ++b)
         map_cells(fields_.fraction.on(b), [](double c) { return 1.0 - c; }, fields_.sums.on(b)[sum_solid]);
     co_await tell_state(lane);
@@ -53,7 +54,7 @@ tasks::Job CoupledStep::tell_state(tasks::Lane& lane)
         mirror_even(fluid_.walls()[std::size_t(b)], 1, state.pressure.on(b));
         view_state(b, state.velocity.on(b), state.pressure.on(b), fields_.acceleration.on(b), fields_.told.on(b));
     }
-    co_await filter_batch(lane, filter_, fields_.told);
+    co_await filter_batch(lane, filter_.own, fields_.told);
     co_await fill_for_sampling(lane, mesh_, plan_, fields_.told);
 }
 

@@ -28,10 +28,11 @@ CoupledStep::CoupledStep(const core::Mesh& mesh, const core::Communicator& ranks
     : mesh_(mesh), ranks_(ranks), fluid_(fluid), dynamics_(grains), stepper_(stepper), parameters_(parameters), locator_(mesh),
       halos_(halos), plan_(mesh, ranks, 1, 1, core::HaloShape::full), fields_(mesh),
       exchange_(parameters, add_wet_columns(grains.particles), add_exchange_columns(grains.particles, parameters)),
-      filter_(make_mesh_links(mesh, ranks.rank(), BehindWalls::nothing).topology, {parameters.filter_width}),
+      filter_("filter", make_mesh_links(mesh, ranks.rank(), BehindWalls::nothing).topology, parameters.filter_width),
       face_mobility_({"mobility on faces", "m3 s/kg", 0, false}, mesh.own_cells()),
       known_face_mobility_({"mobility of the known pressure on faces", "m3 s/kg", 0, false}, mesh.own_cells()),
-      grains_("grains", grains), clock_("fluid clock", fluid.state().clock), places_("places of grains"), kept_("grains at the start")
+      grains_("grains", grains), clock_("fluid clock", fluid.state().clock), places_("places of grains"), kept_("grains at the start"),
+      assumed_("assumed grains")
 {
     fields_.fraction.allocate();
     fields_.acceleration.allocate();
@@ -49,6 +50,9 @@ core::Vec3 CoupledStep::drive_of(const FluidClock& clock) const
 void CoupledStep::declare(tasks::StageGraph& graph, Mode mode)
 {
     const int passes = mode == Mode::iterated ? passes_of_iterated : 1;
+    const bool waits = waits_for_grains(mode);
+    if (!waits) make_assumed();
+    auto& sums = waits ? fields_.sums : fields_.assumed;
     declare_boundaries(graph);
     fluid_.declare_boundaries(graph);
     for (int pass = 0; pass < passes; ++pass) {
@@ -65,6 +69,7 @@ void CoupledStep::declare(tasks::StageGraph& graph, Mode mode)
                 declare_stress(graph);
                 declare_grain_load(graph);
             } else declare_restart_of_grains(graph);
+            if (!waits) declare_taking(graph);
             declare_grain_sums(graph);
         }
         {
@@ -72,16 +77,18 @@ void CoupledStep::declare(tasks::StageGraph& graph, Mode mode)
             if (pass == 0) {
                 fluid_.declare_predictor(graph);
                 declare_advected(graph);
+                if (!waits) declare_assumed(graph, mode);
             }
-            declare_predictor(graph);
-            declare_volume_flux(graph);
+            declare_predictor(graph, sums);
+            declare_volume_flux(graph, sums);
             declare_projection(graph);
             declare_correction(graph);
         }
+        declare_answer(graph, mode);
         const auto lane = graph.lane("particles");
-        declare_answer(graph);
         if (pass == passes - 1) {
             declare_fraction(graph);
+            declare_ledger(graph, mode);
             declare_owed(graph);
         }
         declare_told(graph);
@@ -110,11 +117,11 @@ void CoupledStep::declare_stress(tasks::StageGraph& graph)
         reads(fluid_.fields().viscous), writes(f.stress));
     graph.whole(
         "filter viscous stress for grains",
-        [this](tasks::Lane& lane, core::FieldBatch<3>& stress) -> tasks::Job {
-            co_await filter_batch(lane, filter_, stress);
+        [this](tasks::Lane& lane, core::FieldBatch<3>& stress, Filter& filter) -> tasks::Job {
+            co_await filter_batch(lane, filter, stress);
             co_await fill_for_sampling(lane, mesh_, plan_, stress);
         },
-        updates(f.stress));
+        updates(f.stress), writes(filter_.stage_part));
 }
 
 void CoupledStep::declare_vorticity(tasks::StageGraph& graph)
@@ -183,18 +190,18 @@ void CoupledStep::declare_grain_sums(tasks::StageGraph& graph)
         updates(grains_));
     graph.whole(
         "sum over grains",
-        [this](tasks::Lane& lane, const ParticleDynamics& grains, const FluidClock& clock, GrainPlaces& places,
-               core::FieldBatch<grain_sums>& sums) { return sum_over_grains(lane, grains, clock.dt, places, sums); },
-        reads(grains_, clock_), updates(places_), writes(fields_.sums));
+        [this](tasks::Lane& lane, const ParticleDynamics& grains, const FluidClock& clock, GrainPlaces& places, Filter& filter,
+               core::FieldBatch<grain_sums>& sums) { return sum_over_grains(lane, grains.particles, clock.dt, places, filter, sums); },
+        reads(grains_, clock_), updates(places_), writes(filter_.stage_part, fields_.sums));
 }
 
-tasks::Job CoupledStep::sum_over_grains(tasks::Lane& lane, const ParticleDynamics& grains, double dt, GrainPlaces& places,
-                                        core::FieldBatch<grain_sums>& sums)
+tasks::Job CoupledStep::sum_over_grains(tasks::Lane& lane, const core::ParticleSet& grains, double dt, GrainPlaces& places,
+                                        Filter& filter, core::FieldBatch<grain_sums>& sums)
 {
     GrainTable deposits;
     lane.attempt([&] {
-        places.locate(mesh_, locator_, grains.domain(), grains.particles);
-        exchange_.answer(grains.particles, dt, deposits);
+        places.locate(mesh_, locator_, dynamics_.domain(), grains);
+        exchange_.answer(grains, dt, deposits);
     });
     co_await lane.agree();
     lane.team().run(mesh_.own_count(), [&](int b) {
@@ -208,7 +215,7 @@ tasks::Job CoupledStep::sum_over_grains(tasks::Lane& lane, const ParticleDynamic
     lane.team().run(mesh_.own_count(), [&](int b) {
         for (const auto& field : sums.on(b)) map_cells(field, [](double q, double volume) { return q / volume; }, field, geometry(b).volume.view());
     });
-    co_await filter_batch(lane, filter_, sums, exchange_.sums());
+    co_await filter_batch(lane, filter, sums, exchange_.sums());
 }
 
 template <class... Batches>
@@ -236,8 +243,10 @@ void CoupledStep::view_state(LocalBlock b, Vectors u, View<const double> p, Vect
 }
 
 /// The new state as the grains see it.
-void CoupledStep::declare_answer(tasks::StageGraph& graph)
+void CoupledStep::declare_answer(tasks::StageGraph& graph, Mode mode)
 {
+    const auto lane = graph.lane(waits_for_grains(mode) ? "particles" : "fluid");
+    LaneFilter& lane_filter = waits_for_grains(mode) ? filter_ : *fluid_filter_;
     auto& f = fields_;
     auto& fluid = fluid_.fields();
     auto& state = fluid_.state();
@@ -254,11 +263,11 @@ void CoupledStep::declare_answer(tasks::StageGraph& graph)
         reads(state.velocity, halo(state.pressure, 1), f.acceleration, f.response, fluid.psi_gradient), writes(f.news));
     graph.whole(
         "filter answer for grains",
-        [this](tasks::Lane& lane, core::FieldBatch<grain_news>& news) -> tasks::Job {
-            co_await filter_batch(lane, filter_, news);
+        [this](tasks::Lane& lane, core::FieldBatch<grain_news>& news, Filter& filter) -> tasks::Job {
+            co_await filter_batch(lane, filter, news);
             co_await fill_for_sampling(lane, mesh_, plan_, news);
         },
-        updates(f.news));
+        updates(f.news), writes(lane_filter.stage_part));
 }
 
 void CoupledStep::declare_owed(tasks::StageGraph& graph)

@@ -6,9 +6,11 @@
 #include "physics/coupling/cell_exchange.hpp"
 #include "physics/coupling/filter.hpp"
 #include "physics/coupling/grain_exchange.hpp"
+#include "physics/fluid/mobility.hpp"
 #include "physics/particles/stepper.hpp"
 #include "physics/steps/fluid_step.hpp"
-#include "physics/fluid/mobility.hpp"
+#include "physics/steps/lane_filter.hpp"
+#include <memory>
 
 namespace physics {
 
@@ -24,7 +26,6 @@ public:
     CoupledStep& operator=(const CoupledStep&) = delete;
 
     /// Declares all stages, those of the fluid included. May be called for several graphs, of which each step runs one.
-    /// @param mode  `iterated` repeats the passes; any other waits for the grains once, as `pipelined`.
     /// @pre At the start of a step no rank has lists of neighbours (see grain_job.hpp): a repeated pass could not restore them.
     void declare(tasks::StageGraph& graph, Mode mode);
     /// Finds the grains among the cells, sets the fluid fraction and what the grains are told: to be called whenever the state
@@ -35,7 +36,7 @@ public:
     [[nodiscard]] const GrainExchange& exchange() const { return exchange_; }
     /// Extremes of the present state on this rank, for steps of `dt` [s]; the drag is that of the last step, 0 before the first.
     [[nodiscard]] StabilityNumbers stability(double dt) const;
-    [[nodiscard]] int filter_degree() const { return filter_.degree(); }
+    [[nodiscard]] int filter_degree() const { return filter_.own.degree(); }
     /// Sub-steps of the grains in the step that is being made; set it together with the clock's dt = sub_steps * sub-step.
     int sub_steps = 1;
 
@@ -50,17 +51,32 @@ private:
     void declare_transport(tasks::StageGraph& graph);
     void declare_memory(tasks::StageGraph& graph);
     void declare_advected(tasks::StageGraph& graph);
-    void declare_predictor(tasks::StageGraph& graph);
-    void declare_volume_flux(tasks::StageGraph& graph);
+    void make_assumed();
+    void declare_taking(tasks::StageGraph& graph);
+    void declare_assumed(tasks::StageGraph& graph, Mode mode);
+    void declare_ledger(tasks::StageGraph& graph, Mode mode);
+    void declare_predictor(tasks::StageGraph& graph, core::FieldBatch<grain_sums>& taken);
+    void declare_volume_flux(tasks::StageGraph& graph, core::FieldBatch<grain_sums>& taken);
     void declare_projection(tasks::StageGraph& graph);
     void declare_correction(tasks::StageGraph& graph);
     void declare_fraction(tasks::StageGraph& graph);
-    void declare_answer(tasks::StageGraph& graph);
+    void declare_answer(tasks::StageGraph& graph, Mode mode);
     void declare_owed(tasks::StageGraph& graph);
     void declare_told(tasks::StageGraph& graph);
 
-    [[nodiscard]] tasks::Job sum_over_grains(tasks::Lane& lane, const ParticleDynamics& grains, double dt, GrainPlaces& places,
-                                             core::FieldBatch<grain_sums>& sums);
+    [[nodiscard]] tasks::Job sum_over_grains(tasks::Lane& lane, const core::ParticleSet& grains, double dt, GrainPlaces& places,
+                                             Filter& filter, core::FieldBatch<grain_sums>& sums);
+    struct GrainState {
+        core::ParticleSet particles;
+        core::ContactHistory history;
+    };
+    /// What a fluid lane that does not wait takes the grains for.
+    struct AssumedGrains {
+        std::unique_ptr<ParticleDynamics> dynamics;
+        std::unique_ptr<ParticleStepper> stepper;
+        GrainPlaces places;
+    };
+    [[nodiscard]] tasks::Job coarse_pass(tasks::Lane& lane, AssumedGrains& assumed) const;
     tasks::Job tell_state(tasks::Lane& lane);
     /// One column for each array of the batches.
     template <class... Batches>
@@ -85,16 +101,14 @@ private:
     core::HaloExchange plan_;
     ExchangeFields fields_;
     GrainExchange exchange_;
-    Filter filter_;
+    LaneFilter filter_;                       ///< of the grain lane
+    std::unique_ptr<LaneFilter> fluid_filter_; ///< of a fluid lane that does not wait for the grains
     core::FaceField face_mobility_, known_face_mobility_;
     tasks::Part<ParticleDynamics> grains_;
     tasks::Part<FluidClock> clock_;
     tasks::Value<GrainPlaces> places_;
-    struct GrainState {
-        core::ParticleSet particles;
-        core::ContactHistory history;
-    };
     tasks::Value<GrainState> kept_; ///< loaded, before the first sub-step: where a repeated pass begins
+    tasks::Value<AssumedGrains> assumed_; ///< empty unless a mode needs them
 };
 
 } // namespace physics

@@ -27,6 +27,10 @@ struct CoupledBox {
     std::string executor = "serial";
 };
 
+/// All ways to couple that a scene can ask for.
+inline constexpr std::array every_mode{io::CouplingMode::pipelined, io::CouplingMode::coarse, io::CouplingMode::concurrent,
+                                       io::CouplingMode::iterated};
+
 /// A scene of the box with `count` grains, at random places.
 [[nodiscard]] inline io::Scene scene_of(const CoupledBox& box, int count)
 {

@@ -39,7 +39,7 @@ const std::string all_on = "added_mass: on, lift: on, torque: on";
 
 TEST_CASE("drive, weight, walls, advection and what is owed explain all change of momentum, each line measured by itself")
 {
-    for (const std::string& coupling : {all_on, all_on + ", mode: iterated"}) {
+    for (const std::string& coupling : {all_on, all_on + ", mode: coarse", all_on + ", mode: concurrent", all_on + ", mode: iterated"}) {
         io::World world(pipe(coupling), core::Communicator::self());
         world.settle(core::SerialTeam());
         const auto executor = tasks::make_executor({"serial"}, world.compile());

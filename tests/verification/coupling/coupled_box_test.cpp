@@ -29,7 +29,7 @@ double volume_of(double diameter) { return std::numbers::pi / 6 * std::pow(diame
 
 TEST_CASE("grains that move with a uniform flow feel nothing and change nothing")
 {
-    for (const io::CouplingMode mode : {io::CouplingMode::pipelined, io::CouplingMode::iterated}) {
+    for (const io::CouplingMode mode : every_mode) {
         CoupledBox box;
         box.size = {16e-3, 16e-3, 16e-3};
         box.cells = {8, 8, 8};

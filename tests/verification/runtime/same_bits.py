@@ -45,10 +45,13 @@ def cases(long):
     """Small scenes: the long part has more of them and goes through all ways."""
     grains = ["particles.S.count=80", "particles.L.count=40", "run.settle=5 ms"]
     pipe = ["grid.pipe.size=small", *grains, "run.time_step=0.1 ms", *QUIET]
-    all_cases = {"pipe": Case(str(CONFIGS / "pipe_oscillating"), pipe, 1, 2), "dry": Case(DRY_BED, [], 4, 8)}
+    pipe_file = str(CONFIGS / "pipe_oscillating")
+    few = ["particles.S.count=10", "particles.L.count=5", "run.settle=0 ms", "coupling.mode=concurrent"]
+    all_cases = {"pipe": Case(pipe_file, pipe, 1, 2), "coarse": Case(pipe_file, [*pipe, "coupling.mode=coarse"], 1, 2),
+                 "few": Case(pipe_file, [*pipe, *few], 1, 2), "dry": Case(DRY_BED, [], 4, 8)}
     if long:
         seed = ["grid.pipe.size=small", "run.settle=50 ms", *QUIET]  # all 1,600 grains, time step by its limits, past a reversal
-        all_cases["seed"] = Case(str(CONFIGS / "pipe_oscillating"), seed, 30, 60)
+        all_cases["seed"] = Case(pipe_file, seed, 30, 60)
         all_cases["fluid"] = Case(str(CONFIGS / "pipe_womersley"), [*QUIET, "output.metrics=never", "grid.pipe.cells.across=12"], 25, 50)
     return all_cases
 

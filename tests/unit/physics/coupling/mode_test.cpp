@@ -14,6 +14,12 @@ TEST_CASE("the first step is iterated, soft ones are pipelined, stiff ones itera
     CHECK(mode_of_step(Mode::pipelined, stiff, 1).mode == Mode::pipelined);
     CHECK(mode_of_step(Mode::pipelined, stiffer, 1).mode == Mode::iterated);
     CHECK(mode_of_step(Mode::iterated, soft, 1).mode == Mode::iterated);
-    // Dilute: `concurrent` would hold, but no step is made that way; `pipelined` holds wherever it does.
-    CHECK(mode_of_step({}, {0.2, 0.01, 0.01, 0.01}, 1).mode == Mode::pipelined);
+    CHECK(mode_of_step({}, {0.2, 0.01, 0.01, 0.01}, 1).mode == Mode::concurrent); // dilute
+    CHECK(mode_of_step({}, {0.1, 1200.0, 0.004, 0.6}, 1).mode == Mode::pipelined); // gas, but a bed that must come to rest
+    CHECK(mode_of_step(Mode::concurrent, {0.1, 1200.0, 0.004, 0.6}, 1).mode == Mode::concurrent);
+    CHECK(mode_of_step(Mode::coarse, soft, 1).mode == Mode::coarse);
+    // What the user asks for and would be unstable is not made: the next step is iterated, and the reason says so.
+    const ModeChoice refused = mode_of_step(Mode::concurrent, soft, 1);
+    CHECK(refused.mode == Mode::iterated);
+    CHECK(refused.reason.find("'concurrent' is unstable") != std::string::npos);
 }

@@ -85,7 +85,7 @@ void CoupledStep::declare_advected(tasks::StageGraph& graph)
     graph.sink(state.velocity_before);
 }
 
-void CoupledStep::declare_predictor(tasks::StageGraph& graph, core::FieldBatch<grain_sums>& sums_taken)
+void CoupledStep::declare_predictor(tasks::StageGraph& graph, core::FieldBatch<grain_sums>& taken)
 {
     auto& f = fields_;
     auto& fluid = fluid_.fields();
@@ -102,19 +102,19 @@ void CoupledStep::declare_predictor(tasks::StageGraph& graph, core::FieldBatch<g
                Vectors miss, VectorView<double> change) {
             predicted_velocity_change(own(u, advected, gp, clock), sums, ledger, miss, change);
         },
-        reads(velocity, f.advected, fluid.pressure_gradient, clock_, sums_taken, f.ledger, f.miss), writes(f.change));
+        reads(velocity, f.advected, fluid.pressure_gradient, clock_, taken, f.ledger, f.miss), writes(f.change));
     graph.each_block(
         "projection response",
         [this](LocalBlock, GrainSumViews sums, const FluidClock& clock, View<double> response, View<double> mobility) {
             projection_response(sums, parameters_.fluid_density, clock.dt, response, mobility);
         },
-        reads(sums_taken, clock_), writes(f.response, f.mobility));
+        reads(taken, clock_), writes(f.response, f.mobility));
     graph.each_block(
         "mobility on faces", [](LocalBlock, View<const double> mobility, FaceView<double> faces) { face_mobility(mobility, faces); },
         reads(halo(f.mobility, 1)), writes(face_mobility_));
 }
 
-void CoupledStep::declare_volume_flux(tasks::StageGraph& graph, core::FieldBatch<grain_sums>& sums_taken)
+void CoupledStep::declare_volume_flux(tasks::StageGraph& graph, core::FieldBatch<grain_sums>& taken)
 {
     auto& f = fields_;
     auto& fluid = fluid_.fields();
@@ -125,7 +125,7 @@ void CoupledStep::declare_volume_flux(tasks::StageGraph& graph, core::FieldBatch
                Vectors miss, View<double> known, VectorView<double> carried) {
             predicted_volume_flux(own(u, advected, gp, clock), sums, change, miss, known, carried);
         },
-        reads(state.velocity, f.advected, fluid.pressure_gradient, clock_, sums_taken, f.change, f.miss),
+        reads(state.velocity, f.advected, fluid.pressure_gradient, clock_, taken, f.change, f.miss),
         writes(f.known_mobility, f.carried));
     graph.each_block(
         "face flux with grains",

@@ -25,15 +25,18 @@ enum GrainView : std::size_t {
     view_pressure_force = view_velocity + 3,     ///< -grad p, filtered [N/m3]
     view_acceleration = view_pressure_force + 3, ///< Du/Dt, filtered [m/s2]
     state_views = view_acceleration + 3,
-    view_stress = state_views,      ///< div tau of u^n, filtered [N/m3]
-    view_vorticity = view_stress + 3, ///< curl u, of the cells: no force acts back through it [1/s]
+    view_stress = state_views,        ///< div tau, filtered [N/m3]
+    told_views = view_stress + 3,
+    view_vorticity = told_views,      ///< curl u, of the cells: no force acts back through it [1/s]
     grain_views = view_vorticity + 3
 };
 
 /// What grains sample when the fluid has answered: the views of the new state, and
 enum GrainNews : std::size_t {
-    news_projection = state_views, ///< ru dG, filtered [m/s]
-    grain_news = news_projection + 3
+    news_projection = state_views,     ///< ru dG, filtered [m/s]
+    news_views = news_projection + 3,
+    news_stress = news_views,          ///< of the new state: what the next step tells [N/m3]
+    grain_news = news_stress + 3
 };
 
 struct ExchangeFields {
@@ -42,10 +45,9 @@ struct ExchangeFields {
           acceleration({"fluid acceleration", "m/s2", 1, true}, mesh.own_cells()),
           ledger({"ledger", "N s/m3", 0, true}, mesh.own_cells()),
           fraction_before({"fluid fraction before", "1", 0, false}, mesh.own_cells()),
-          gradient({"gradient for vorticity", "1/s", 0, false}, mesh.own_cells()),
+          viscous({"viscous acceleration of the new velocity", "m/s2", 0, false}, mesh.own_cells()),
           sums({"sums over grains", "", 1, false}, mesh.own_cells()),
           assumed({"sums over assumed grains", "", 1, false}, mesh.own_cells()), told({"told state", "", 1, false}, mesh.own_cells()),
-          stress({"viscous stress for grains", "N/m3", 1, false}, mesh.own_cells()),
           vorticity({"vorticity for grains", "1/s", 1, false}, mesh.own_cells()),
           news({"answer for grains", "", 1, false}, mesh.own_cells()), advected({"advected velocity u^a", "m/s", 0, false}, mesh.own_cells()),
           miss({"untold change of velocity", "m/s", 0, false}, mesh.own_cells()),
@@ -61,10 +63,11 @@ struct ExchangeFields {
     core::VectorField acceleration; ///< Du/Dt of the last step
     core::VectorField ledger;       ///< L: impulse that the fluid is still owed
     core::ScalarField fraction_before;
-    core::VectorField gradient; ///< scratch of the vorticity
+    // Of the velocity that a step ends with, for the next one: they follow from the state, so no checkpoint has them.
+    core::VectorField viscous;
     core::FieldBatch<grain_sums> sums, assumed; ///< of the grains as they are, and as a fluid lane takes them that does not wait
-    core::FieldBatch<state_views> told; ///< filtered state that the grains are told: follows from the state, so no checkpoint has it
-    core::FieldBatch<3> stress, vorticity;
+    core::FieldBatch<told_views> told; ///< filtered state that the grains are told
+    core::FieldBatch<3> vorticity;
     core::FieldBatch<grain_news> news;
     core::VectorField advected; ///< u^a: advection and viscosity alone
     core::VectorField miss, change;

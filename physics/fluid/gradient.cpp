@@ -54,21 +54,13 @@ void gradient(const core::BlockGeometry& geometry, const core::GradientMatrices&
         }
 }
 
-void vorticity(const core::BlockGeometry& geometry, core::VectorView<const double> u, core::VectorView<double> scratch,
-               core::VectorView<double> curl)
+void vorticity(core::VectorView<const double> gradient_x, core::VectorView<const double> gradient_y,
+               core::VectorView<const double> gradient_z, core::VectorView<double> curl)
 {
-    const auto keep = [](double d) { return d; };
-    const auto add = [](double sum, double d) { return sum + d; };
-    const auto subtract = [](double sum, double d) { return sum - d; };
-    gradient(geometry, geometry.wall_gradient, u.x, scratch);
-    map_cells(curl.y, keep, scratch.z);
-    map_cells(curl.z, [](double d) { return -d; }, scratch.y);
-    gradient(geometry, geometry.wall_gradient, u.y, scratch);
-    map_cells(curl.z, add, curl.z, scratch.x);
-    map_cells(curl.x, [](double d) { return -d; }, scratch.z);
-    gradient(geometry, geometry.wall_gradient, u.z, scratch);
-    map_cells(curl.x, add, curl.x, scratch.y);
-    map_cells(curl.y, subtract, curl.y, scratch.x);
+    const auto difference = [](double a, double b) { return a - b; };
+    map_cells(curl.x, difference, gradient_z.y, gradient_y.z);
+    map_cells(curl.y, difference, gradient_x.z, gradient_z.x);
+    map_cells(curl.z, difference, gradient_y.x, gradient_x.y);
 }
 
 } // namespace physics

@@ -14,11 +14,9 @@ namespace physics {
 void gradient(const core::BlockGeometry& geometry, const core::GradientMatrices& matrices, core::View<const double> q,
               core::VectorView<double> out);
 
-/// Curl of a velocity that is mirrored about the velocities of the walls.
-/// @param u          One halo layer.
-/// @param scratch    Overwritten: gradient of one component.
+/// Curl of a velocity from the gradients of its components.
 /// @param[out] curl  Interior [1/s].
-void vorticity(const core::BlockGeometry& geometry, core::VectorView<const double> u, core::VectorView<double> scratch,
-               core::VectorView<double> curl);
+void vorticity(core::VectorView<const double> gradient_x, core::VectorView<const double> gradient_y,
+               core::VectorView<const double> gradient_z, core::VectorView<double> curl);
 
 } // namespace physics

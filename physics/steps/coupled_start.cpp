@@ -46,18 +46,6 @@ tasks::Job CoupledStep::initialise(tasks::Lane& lane)
     co_await tell_state(lane);
 }
 
-tasks::Job CoupledStep::tell_state(tasks::Lane& lane)
-{
-    FluidState& state = fluid_.state();
-    co_await halos_.fill(lane, &state.pressure, 1);
-    for (LocalBlock b = 0; b < mesh_.own_count(); ++b) {
-        mirror_even(fluid_.walls()[std::size_t(b)], 1, state.pressure.on(b));
-        view_state(b, state.velocity.on(b), state.pressure.on(b), fields_.acceleration.on(b), fields_.told.on(b));
-    }
-    co_await filter_batch(lane, filter_.own, fields_.told);
-    co_await fill_for_sampling(lane, mesh_, plan_, fields_.told);
-}
-
 StabilityNumbers CoupledStep::stability(double dt) const
 {
     StabilityNumbers n;

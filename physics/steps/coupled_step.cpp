@@ -3,21 +3,10 @@
 // CoupledStep, the grains' side: loads, sub-steps, sums and what grains are owed.
 #include "physics/steps/coupled_step.hpp"
 #include "physics/fluid/cell_loops.hpp"
-#include "physics/fluid/gradient.hpp"
 #include "physics/steps/batch_filter.hpp"
 #include "physics/steps/grain_job.hpp"
 
 namespace physics {
-namespace {
-
-/// Three arrays of a batch, from `first` on.
-template <std::size_t N>
-core::VectorView<double> vector_of(const std::array<core::View<double>, N>& arrays, std::size_t first)
-{
-    return {arrays[first], arrays[first + 1], arrays[first + 2]};
-}
-
-} // namespace
 
 using core::LocalBlock, core::VectorView, core::View;
 using tasks::halo, tasks::reads, tasks::updates, tasks::writes;
@@ -40,6 +29,8 @@ CoupledStep::CoupledStep(const core::Mesh& mesh, const core::Communicator& ranks
     fields_.sums.allocate();
     fields_.told.allocate();
     halos_.prepare(&fluid_.state().pressure, 1);
+    halos_.prepare(&fluid_.state().velocity, 1);
+    halos_.prepare(&fluid_.fields().gradient_x, 1);
 }
 
 core::Vec3 CoupledStep::drive_of(const FluidClock& clock) const
@@ -58,17 +49,19 @@ void CoupledStep::declare(tasks::StageGraph& graph, Mode mode)
     for (int pass = 0; pass < passes; ++pass) {
         if (pass == 0) {
             const auto lane = graph.lane("fluid");
-            fluid_.declare_explicit(graph);
+            declare_viscosity(graph);
             declare_transport(graph);
             declare_memory(graph);
-        } else declare_gradient(graph);
+        }
+        {
+            const auto lane = graph.lane("fluid");
+            fluid_.declare_pressure_gradient(graph); // that the grains are told
+        }
         {
             const auto lane = graph.lane("particles");
             declare_vorticity(graph);
-            if (pass == 0) {
-                declare_stress(graph);
-                declare_grain_load(graph);
-            } else declare_restart_of_grains(graph);
+            if (pass == 0) declare_grain_load(graph);
+            else declare_restart_of_grains(graph);
             if (!waits) declare_taking(graph);
             declare_grain_sums(graph);
         }
@@ -84,59 +77,16 @@ void CoupledStep::declare(tasks::StageGraph& graph, Mode mode)
             declare_projection(graph);
             declare_correction(graph);
         }
-        declare_answer(graph, mode);
+        const Pass kind = pass == passes - 1 ? Pass::last : Pass::followed;
+        declare_answer(graph, mode, kind);
         const auto lane = graph.lane("particles");
-        if (pass == passes - 1) {
+        if (kind == Pass::last) {
             declare_fraction(graph);
             declare_ledger(graph, mode);
             declare_owed(graph);
         }
-        declare_told(graph);
+        declare_told(graph, kind);
     }
-}
-
-/// Of the pressure that the last pass found.
-void CoupledStep::declare_gradient(tasks::StageGraph& graph)
-{
-    const auto lane = graph.lane("fluid");
-    graph.each_block(
-        "gradient of told pressure",
-        [this](LocalBlock b, View<const double> p, VectorView<double> gp) { gradient(geometry(b), geometry(b).gradient, p, gp); },
-        reads(halo(fluid_.state().pressure, 1)), writes(fluid_.fields().pressure_gradient));
-}
-
-void CoupledStep::declare_stress(tasks::StageGraph& graph)
-{
-    if (!fluid_.viscosity_system()) return;
-    auto& f = fields_;
-    graph.each_block(
-        "viscous stress for grains",
-        [rho = parameters_.fluid_density](LocalBlock, Vectors viscous, std::array<View<double>, 3> stress) {
-            map_components(vector_of(stress, 0), [rho](double a) { return rho * a; }, viscous);
-        },
-        reads(fluid_.fields().viscous), writes(f.stress));
-    graph.whole(
-        "filter viscous stress for grains",
-        [this](tasks::Lane& lane, core::FieldBatch<3>& stress, Filter& filter) -> tasks::Job {
-            co_await filter_batch(lane, filter, stress);
-            co_await fill_for_sampling(lane, mesh_, plan_, stress);
-        },
-        updates(f.stress), writes(filter_.stage_part));
-}
-
-void CoupledStep::declare_vorticity(tasks::StageGraph& graph)
-{
-    if (!parameters_.lift && !parameters_.torque) return;
-    auto& f = fields_;
-    graph.each_block(
-        "vorticity for grains",
-        [this](LocalBlock b, Vectors u, VectorView<double> scratch, std::array<View<double>, 3> curl) {
-            vorticity(geometry(b), u, scratch, vector_of(curl, 0));
-        },
-        reads(halo(fluid_.state().velocity, 3)), writes(f.gradient, f.vorticity));
-    graph.whole(
-        "halo of vorticity for grains",
-        [this](tasks::Lane& lane, core::FieldBatch<3>& curl) { return fill_for_sampling(lane, mesh_, plan_, curl); }, updates(f.vorticity));
 }
 
 void CoupledStep::declare_grain_load(tasks::StageGraph& graph)
@@ -144,13 +94,13 @@ void CoupledStep::declare_grain_load(tasks::StageGraph& graph)
     auto& f = fields_;
     graph.whole(
         "load grains",
-        [this](tasks::Lane& lane, const core::FieldBatch<state_views>& told, const core::FieldBatch<3>& stress, const core::FieldBatch<3>& vorticity,
+        [this](tasks::Lane& lane, const core::FieldBatch<told_views>& told, const core::FieldBatch<3>& vorticity,
                const core::ScalarField& fraction, const FluidClock& clock, const GrainPlaces& places, ParticleDynamics& grains) {
-            const GrainTable table = sample(lane.team(), places, std::size_t(grains.particles.owned), told, stress, vorticity);
+            const GrainTable table = sample(lane.team(), places, std::size_t(grains.particles.owned), told, vorticity);
             exchange_.freeze_drag(grains.particles, table, fractions_at(places, grains.particles, fraction));
             exchange_.load(grains.particles, table, drive_of(clock), {clock.dt, grains.step(), 1.0 - clock.memory()});
         },
-        reads(f.told, f.stress, f.vorticity, halo(f.fraction, 1), clock_, places_), updates(grains_));
+        reads(f.told, f.vorticity, halo(f.fraction, 1), clock_, places_), updates(grains_));
     graph.whole(
         "keep grains",
         [](tasks::Lane&, const ParticleDynamics& grains, GrainState& kept) { kept = {grains.particles, grains.history}; },
@@ -161,16 +111,16 @@ void CoupledStep::declare_restart_of_grains(tasks::StageGraph& graph)
 {
     graph.whole(
         "load grains again",
-        [this](tasks::Lane& lane, const core::FieldBatch<state_views>& told, const core::FieldBatch<3>& stress, const core::FieldBatch<3>& vorticity,
+        [this](tasks::Lane& lane, const core::FieldBatch<told_views>& told, const core::FieldBatch<3>& vorticity,
                const core::ScalarField& fraction, const FluidClock& clock, GrainState& kept, GrainPlaces& places, ParticleDynamics& grains) {
             places.locate(mesh_, locator_, grains.domain(), kept.particles);
-            const GrainTable table = sample(lane.team(), places, std::size_t(kept.particles.owned), told, stress, vorticity);
+            const GrainTable table = sample(lane.team(), places, std::size_t(kept.particles.owned), told, vorticity);
             exchange_.revise(kept.particles, table, fractions_at(places, kept.particles, fraction));
             grains.particles = kept.particles;
             grains.history = kept.history;
             exchange_.load(grains.particles, table, drive_of(clock), {clock.dt, grains.step(), 1.0 - clock.memory()});
         },
-        reads(fields_.told, fields_.stress, fields_.vorticity, halo(fields_.fraction, 1), clock_), updates(kept_, places_, grains_));
+        reads(fields_.told, fields_.vorticity, halo(fields_.fraction, 1), clock_), updates(kept_, places_, grains_));
 }
 
 std::vector<double> CoupledStep::fractions_at(const GrainPlaces& places, const core::ParticleSet& grains, const core::ScalarField& fraction) const
@@ -233,68 +183,17 @@ GrainTable CoupledStep::sample(const core::Team& team, const GrainPlaces& places
     return table;
 }
 
-void CoupledStep::view_state(LocalBlock b, Vectors u, View<const double> p, Vectors acceleration, StateViews out) const
-{
-    const auto force = vector_of(out, view_pressure_force);
-    map_components(vector_of(out, view_velocity), [](double x) { return x; }, u);
-    gradient(geometry(b), geometry(b).gradient, p, force);
-    map_components(force, [](double x) { return -x; }, force);
-    map_components(vector_of(out, view_acceleration), [](double x) { return x; }, acceleration);
-}
-
-/// The new state as the grains see it.
-void CoupledStep::declare_answer(tasks::StageGraph& graph, Mode mode)
-{
-    const auto lane = graph.lane(waits_for_grains(mode) ? "particles" : "fluid");
-    LaneFilter& lane_filter = waits_for_grains(mode) ? filter_ : *fluid_filter_;
-    auto& f = fields_;
-    auto& fluid = fluid_.fields();
-    auto& state = fluid_.state();
-    graph.each_block(
-        "answer for grains",
-        [this](LocalBlock b, Vectors u, View<const double> p, Vectors acceleration, View<const double> response, Vectors psi_gradient,
-               std::array<View<double>, grain_news> news) {
-            StateViews views;
-            std::copy_n(news.begin(), state_views, views.begin());
-            view_state(b, u, p, acceleration, views);
-            for (int c = 0; c < 3; ++c)
-                map_cells(news[news_projection + std::size_t(c)], [](double r, double g) { return -r * g; }, response, psi_gradient.component(c));
-        },
-        reads(state.velocity, halo(state.pressure, 1), f.acceleration, f.response, fluid.psi_gradient), writes(f.news));
-    graph.whole(
-        "filter answer for grains",
-        [this](tasks::Lane& lane, core::FieldBatch<grain_news>& news, Filter& filter) -> tasks::Job {
-            co_await filter_batch(lane, filter, news);
-            co_await fill_for_sampling(lane, mesh_, plan_, news);
-        },
-        updates(f.news), writes(lane_filter.stage_part));
-}
-
 void CoupledStep::declare_owed(tasks::StageGraph& graph)
 {
     auto& f = fields_;
     graph.whole(
         "owe grains",
-        [this](tasks::Lane& lane, const core::FieldBatch<state_views>& told, const core::FieldBatch<3>& stress,
-               const core::FieldBatch<grain_news>& news, const GrainPlaces& places, const FluidClock& clock, ParticleDynamics& grains) {
+        [this](tasks::Lane& lane, const core::FieldBatch<told_views>& told, const core::FieldBatch<grain_news>& news, const GrainPlaces& places, const FluidClock& clock, ParticleDynamics& grains) {
             const auto count = std::size_t(grains.particles.owned);
-            exchange_.owe(grains.particles, sample(lane.team(), places, count, told, stress), sample(lane.team(), places, count, news), clock.dt);
+            exchange_.owe(grains.particles, sample(lane.team(), places, count, told), sample(lane.team(), places, count, news), clock.dt);
         },
-        reads(f.told, f.stress, f.news, places_, clock_), updates(grains_));
+        reads(f.told, f.news, places_, clock_), updates(grains_));
     graph.sink(grains_);
-}
-
-/// What the next pass, or the next step, tells the grains.
-void CoupledStep::declare_told(tasks::StageGraph& graph)
-{
-    graph.whole(
-        "tell grains",
-        [this](tasks::Lane& lane, const core::FieldBatch<grain_news>& news, core::FieldBatch<state_views>& told) {
-            lane.team().run(mesh_.own_count(), [&](int b) {
-                for (std::size_t a = 0; a < state_views; ++a) told.data(b, a) = news.data(b, a);
-            });
-        },
-        reads(fields_.news), writes(fields_.told));
 }
 
 } // namespace physics

@@ -42,8 +42,7 @@ public:
 
 private:
     void declare_boundaries(tasks::StageGraph& graph);
-    void declare_gradient(tasks::StageGraph& graph);
-    void declare_stress(tasks::StageGraph& graph);
+    void declare_viscosity(tasks::StageGraph& graph);
     void declare_vorticity(tasks::StageGraph& graph);
     void declare_grain_load(tasks::StageGraph& graph);
     void declare_restart_of_grains(tasks::StageGraph& graph);
@@ -60,9 +59,11 @@ private:
     void declare_projection(tasks::StageGraph& graph);
     void declare_correction(tasks::StageGraph& graph);
     void declare_fraction(tasks::StageGraph& graph);
-    void declare_answer(tasks::StageGraph& graph, Mode mode);
+    /// The last pass of a step is followed by another step, which begins with the viscous stress.
+    enum class Pass { followed, last };
+    void declare_answer(tasks::StageGraph& graph, Mode mode, Pass pass);
     void declare_owed(tasks::StageGraph& graph);
-    void declare_told(tasks::StageGraph& graph);
+    void declare_told(tasks::StageGraph& graph, Pass pass);
 
     [[nodiscard]] tasks::Job sum_over_grains(tasks::Lane& lane, const core::ParticleSet& grains, double dt, GrainPlaces& places,
                                              Filter& filter, core::FieldBatch<grain_sums>& sums);
@@ -81,9 +82,13 @@ private:
     /// One column for each array of the batches.
     template <class... Batches>
     [[nodiscard]] GrainTable sample(const core::Team& team, const GrainPlaces& places, std::size_t grains, const Batches&... batches) const;
-    using StateViews = std::array<core::View<double>, state_views>;
-    /// The state as grains see it, before the filter.
-    void view_state(core::LocalBlock b, CellVectors u, core::View<const double> p, CellVectors acceleration, StateViews out) const;
+    /// The state as grains see it, before the filter: the first views.
+    void view_state(core::LocalBlock b, CellVectors u, core::View<const double> p, CellVectors acceleration,
+                    std::span<const core::View<double>> out) const;
+    void view_stress_in(std::span<const core::View<double>> out, CellVectors viscous) const;
+    [[nodiscard]] bool viscous() const { return fluid_.viscosity_system() != nullptr; }
+    [[nodiscard]] bool spins() const { return parameters_.lift || parameters_.torque; } ///< grains see vorticity
+    [[nodiscard]] bool tells_stress(Pass pass) const { return viscous() && pass == Pass::last; }
     [[nodiscard]] std::vector<double> fractions_at(const GrainPlaces& places, const core::ParticleSet& grains,
                                                    const core::ScalarField& fraction) const;
     [[nodiscard]] core::Vec3 drive_of(const FluidClock& clock) const;

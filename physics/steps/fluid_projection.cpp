@@ -11,7 +11,6 @@ namespace physics {
 
 using core::FaceView, core::LocalBlock, core::VectorView, core::View;
 using tasks::halo, tasks::reads, tasks::updates, tasks::writes;
-using Vectors = VectorView<const double>;
 
 void FluidStep::declare_projection(tasks::StageGraph& graph)
 {

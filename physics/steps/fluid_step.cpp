@@ -3,7 +3,6 @@
 #include "physics/steps/fluid_step.hpp"
 #include "physics/fluid/advection_lcsi.hpp"
 #include "physics/fluid/cell_loops.hpp"
-#include "physics/fluid/diffusion.hpp"
 #include "physics/fluid/gradient.hpp"
 #include "physics/fluid/quasi_monotone.hpp"
 
@@ -11,10 +10,9 @@ namespace physics {
 
 using core::FaceView, core::LocalBlock, core::VectorView, core::View;
 using tasks::halo, tasks::reads, tasks::updates, tasks::writes;
-using Vectors = VectorView<const double>;
 
 FluidStep::FluidStep(const core::Mesh& mesh, const core::Communicator& ranks, tasks::HaloFiller& halos, const FluidParameters& parameters)
-    : mesh_(mesh), parameters_(parameters), walls_(make_walls(mesh, parameters.walls)), state_(mesh), fields_(mesh),
+    : mesh_(mesh), halos_(halos), parameters_(parameters), walls_(make_walls(mesh, parameters.walls)), state_(mesh), fields_(mesh),
       clock_("fluid clock", state_.clock), pressure_system_({mesh, walls_, halos}, ranks, parameters.tolerances),
       budget_("momentum budget", std::size_t(mesh.own_count()))
 {
@@ -31,20 +29,22 @@ void FluidStep::declare(tasks::StageGraph& graph)
 {
     const auto lane = graph.lane("fluid");
     declare_boundaries(graph);
-    declare_explicit(graph);
+    declare_pressure_gradient(graph);
+    if (viscosity_system_) {
+        declare_velocity_gradients(graph);
+        declare_viscous_acceleration(graph, fields_.viscous);
+    }
     declare_transport(graph);
     declare_predictor(graph);
     declare_projection(graph);
 }
 
-void FluidStep::declare_explicit(tasks::StageGraph& graph)
+void FluidStep::declare_pressure_gradient(tasks::StageGraph& graph)
 {
-    auto& f = fields_;
     graph.each_block(
         "gradient of pressure",
         [this](LocalBlock b, View<const double> p, VectorView<double> gp) { gradient(geometry(b), geometry(b).gradient, p, gp); },
-        reads(halo(state_.pressure, 1)), writes(f.pressure_gradient));
-    if (viscosity_system_) declare_explicit_viscosity(graph);
+        reads(halo(state_.pressure, 1)), writes(fields_.pressure_gradient));
 }
 
 void FluidStep::declare_transport(tasks::StageGraph& graph)
@@ -87,30 +87,6 @@ void FluidStep::declare_boundaries(tasks::StageGraph& graph)
     graph.boundary(
         fields_.source, "walls of velocity to advect",
         [this](LocalBlock b, VectorView<double> q, Vectors u) { mirror_source(walls_of(b), 3, u, q); }, reads(halo(state_.velocity, 3)));
-}
-
-void FluidStep::declare_explicit_viscosity(tasks::StageGraph& graph)
-{
-    auto& f = fields_;
-    graph.each_block(
-        "gradient of velocity",
-        [this](LocalBlock b, Vectors u, VectorView<double> x, VectorView<double> y, VectorView<double> z) {
-            gradient(geometry(b), geometry(b).wall_gradient, u.x, x);
-            gradient(geometry(b), geometry(b).wall_gradient, u.y, y);
-            gradient(geometry(b), geometry(b).wall_gradient, u.z, z);
-        },
-        reads(halo(state_.velocity, 3)), writes(f.gradient_x, f.gradient_y, f.gradient_z));
-    graph.each_block(
-        "viscous acceleration",
-        [this](LocalBlock b, Vectors u, Vectors gx, Vectors gy, Vectors gz, FaceView<double> scratch, VectorView<double> out) {
-            const std::array gradients{gx, gy, gz};
-            for (int c = 0; c < 3; ++c) {
-                diffusive_inflow(geometry(b), walls_of(b), u.component(c), gradients[std::size_t(c)], scratch, out.component(c));
-                viscous_acceleration(geometry(b), parameters_.viscosity, out.component(c), out.component(c));
-            }
-        },
-        reads(halo(state_.velocity, 3), halo(f.gradient_x, 1), halo(f.gradient_y, 1), halo(f.gradient_z, 1)),
-        writes(f.face_scratch, f.viscous));
 }
 
 void FluidStep::declare_advection(tasks::StageGraph& graph)

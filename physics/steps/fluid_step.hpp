@@ -25,8 +25,17 @@ public:
     void declare(tasks::StageGraph& graph);
     /// What holds at walls: before any stage that reads a halo.
     void declare_boundaries(tasks::StageGraph& graph);
-    /// Gradient of pressure and viscous acceleration of the old state.
-    void declare_explicit(tasks::StageGraph& graph);
+    /// Gradient of the pressure of the old state.
+    void declare_pressure_gradient(tasks::StageGraph& graph);
+    /// Gradients of the components of the present velocity.
+    void declare_velocity_gradients(tasks::StageGraph& graph);
+    /// Viscous acceleration of the present velocity, from its gradients.
+    /// @pre There is viscosity.
+    void declare_viscous_acceleration(tasks::StageGraph& graph, core::VectorField& acceleration);
+    /// The same at once, without stages: to be called one after the other whenever the state was set from outside, if a step
+    /// starts from what they find. Collective.
+    [[nodiscard]] tasks::Job find_velocity_gradients(tasks::Lane& lane);
+    [[nodiscard]] tasks::Job find_viscous_acceleration(tasks::Lane& lane, core::VectorField& acceleration);
     /// What carries the fluid, where it is alone.
     void declare_transport(tasks::StageGraph& graph);
     /// Up to the predicted velocity: nothing here depends on the particles of this step.
@@ -46,7 +55,10 @@ public:
     [[nodiscard]] const tasks::PerBlock<MomentumBudget>& budget() const { return budget_; }
 
 private:
-    void declare_explicit_viscosity(tasks::StageGraph& graph);
+    using Vectors = core::VectorView<const double>;
+    void velocity_gradients(core::LocalBlock b, Vectors u, const std::array<core::VectorView<double>, 3>& out) const;
+    void viscous_acceleration(core::LocalBlock b, Vectors u, const std::array<Vectors, 3>& gradients, core::FaceView<double> scratch,
+                              core::VectorView<double> out) const;
     void declare_advection(tasks::StageGraph& graph);
     void declare_implicit_viscosity(tasks::StageGraph& graph);
     void declare_face_flux(tasks::StageGraph& graph);
@@ -56,6 +68,7 @@ private:
     [[nodiscard]] const BlockWalls& walls_of(core::LocalBlock b) const { return walls_[std::size_t(b)]; }
 
     const core::Mesh& mesh_;
+    tasks::HaloFiller& halos_;
     FluidParameters parameters_;
     std::vector<BlockWalls> walls_;
     std::vector<std::array<bool, 3>> singular_axes_; ///< of each block of this rank

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+// FluidStep: the viscous acceleration of a velocity that is known, with the gradients it follows from.
+#include "physics/fluid/diffusion.hpp"
+#include "physics/fluid/gradient.hpp"
+#include "physics/steps/fluid_step.hpp"
+
+namespace physics {
+
+using core::FaceView, core::LocalBlock, core::VectorView;
+using tasks::halo, tasks::reads, tasks::writes;
+
+void FluidStep::velocity_gradients(LocalBlock b, Vectors u, const std::array<VectorView<double>, 3>& out) const
+{
+    for (int c = 0; c < 3; ++c) gradient(geometry(b), geometry(b).wall_gradient, u.component(c), out[std::size_t(c)]);
+}
+
+void FluidStep::viscous_acceleration(LocalBlock b, Vectors u, const std::array<Vectors, 3>& gradients, FaceView<double> scratch,
+                                     VectorView<double> out) const
+{
+    for (int c = 0; c < 3; ++c) {
+        diffusive_inflow(geometry(b), walls_of(b), u.component(c), gradients[std::size_t(c)], scratch, out.component(c));
+        physics::viscous_acceleration(geometry(b), parameters_.viscosity, out.component(c), out.component(c));
+    }
+}
+
+void FluidStep::declare_velocity_gradients(tasks::StageGraph& graph)
+{
+    auto& f = fields_;
+    graph.each_block(
+        "gradient of velocity",
+        [this](LocalBlock b, Vectors u, VectorView<double> x, VectorView<double> y, VectorView<double> z) {
+            velocity_gradients(b, u, {x, y, z});
+        },
+        reads(halo(state_.velocity, 1)), writes(f.gradient_x, f.gradient_y, f.gradient_z));
+}
+
+void FluidStep::declare_viscous_acceleration(tasks::StageGraph& graph, core::VectorField& acceleration)
+{
+    auto& f = fields_;
+    graph.each_block(
+        "viscous acceleration",
+        [this](LocalBlock b, Vectors u, Vectors gx, Vectors gy, Vectors gz, FaceView<double> scratch, VectorView<double> out) {
+            viscous_acceleration(b, u, {gx, gy, gz}, scratch, out);
+        },
+        reads(halo(state_.velocity, 1), halo(f.gradient_x, 1), halo(f.gradient_y, 1), halo(f.gradient_z, 1)),
+        writes(f.face_scratch, acceleration));
+}
+
+tasks::Job FluidStep::find_velocity_gradients(tasks::Lane& lane)
+{
+    auto& f = fields_;
+    co_await halos_.fill(lane, &state_.velocity, 1);
+    for (auto* g : {&f.gradient_x, &f.gradient_y, &f.gradient_z}) g->allocate();
+    for (LocalBlock b = 0; b < mesh_.own_count(); ++b) {
+        mirror_velocity(walls_of(b), 1, state_.velocity.on(b));
+        velocity_gradients(b, state_.velocity.on(b), {f.gradient_x.on(b), f.gradient_y.on(b), f.gradient_z.on(b)});
+    }
+}
+
+tasks::Job FluidStep::find_viscous_acceleration(tasks::Lane& lane, core::VectorField& acceleration)
+{
+    auto& f = fields_;
+    f.face_scratch.allocate();
+    acceleration.allocate();
+    for (auto* g : {&f.gradient_x, &f.gradient_y, &f.gradient_z}) co_await halos_.fill(lane, g, 1);
+    for (LocalBlock b = 0; b < mesh_.own_count(); ++b)
+        viscous_acceleration(b, state_.velocity.on(b), {f.gradient_x.on(b), f.gradient_y.on(b), f.gradient_z.on(b)}, f.face_scratch.on(b),
+                             acceleration.on(b));
+}
+
+} // namespace physics

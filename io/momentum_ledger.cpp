@@ -85,6 +85,7 @@ void MomentumLedger::sum_step(core::LocalBlock b, std::span<double> sum) const
     const auto volume = world_.mesh().geometry(b).volume.view();
     const auto phi = f.fraction.on(b), old_phi = f.fraction_before.on(b), response = f.response.on(b);
     const auto before = std::as_const(world_.fluid()->state()).velocity_before.on(b), after_all = f.advected.on(b), source = own.source.on(b);
+    const auto velocity = std::as_const(world_.fluid()->state()).velocity.on(b);
     const auto advected = own.advected.on(b), miss = f.miss.on(b), change = f.change.on(b);
     const auto old_gradient = own.pressure_gradient.on(b), new_gradient = own.psi_gradient.on(b);
     const auto grains = f.sums.on(b);
@@ -112,6 +113,9 @@ void MomentumLedger::sum_step(core::LocalBlock b, std::span<double> sum) const
         sum[of_given + n] += physics::sum_cells(
             [dt](double v, double flux, double reaction, double r, double dg) { return v * (dt * flux - reaction * r) * dg; },
             volume, grains[physics::sum_projection + 1], grains[physics::sum_projection], response, at(new_gradient));
+        sum[of_given + n] += physics::sum_cells(
+            [](double v, double held, double u, double du, double r, double dg) { return v * held * (u - (du - r * dg)); },
+            volume, grains[physics::sum_held], at(velocity), at(change), response, at(new_gradient));
     }
 }
 

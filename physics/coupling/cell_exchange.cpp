@@ -14,7 +14,8 @@ void predicted_velocity_change(const FluidOwn& own, const GrainSumViews& sums, C
         for (int c = 0; c < 3; ++c) {
             const double force = own.density * own.drive[c] - own.pressure_gradient.component(c)(i, j, k);
             const double u = own.velocity.component(c)(i, j, k);
-            const FluidPush push{ledger.component(c)(i, j, k), force, sums[sum_impulse + std::size_t(c)](i, j, k), u,
+            const double taken = impulse_taken(sums[sum_impulse + std::size_t(c)](i, j, k), sums[sum_held](i, j, k), u);
+            const FluidPush push{ledger.component(c)(i, j, k), force, taken, u,
                                  own.advected.component(c)(i, j, k), miss.component(c)(i, j, k)};
             change.component(c)(i, j, k) = predicted_change(push, own.density * phi, phi, response, own.dt);
         }
@@ -47,7 +48,9 @@ void unpaid_impulse(const FluidOwn& own, const GrainSumViews& sums, const FluidA
             const auto at = [&](const CellVectors& field) { return field.component(c)(i, j, k); };
             const double force = own.density * own.drive[c] - at(own.pressure_gradient);
             double& left = ledger.component(c)(i, j, k);
-            const FluidPush push{left, force, sums[sum_impulse + std::size_t(c)](i, j, k), at(own.velocity), at(own.advected), at(answer.miss)};
+            const double told = at(own.velocity) - (at(answer.change) - answer.response(i, j, k) * at(answer.gradient_change));
+            const double taken = impulse_taken(sums[sum_impulse + std::size_t(c)](i, j, k), sums[sum_held](i, j, k), told);
+            const FluidPush push{left, force, taken, at(own.velocity), at(own.advected), at(answer.miss)};
             left = impulse_on_fluid(push, own.density * phi, phi, p, own.dt) - p.reaction * at(answer.change) -
                    (own.dt * (phi + q.flux) - q.reaction * answer.response(i, j, k)) * at(answer.gradient_change);
         }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // How much of the load on a grain its contacts carry, and how far it may yield in predictor and projection.
+#include "physics/coupling/response.hpp"
 #include <algorithm>
 
 namespace physics {
@@ -16,6 +17,11 @@ namespace physics {
 
 /// Yield in the predictor: a held grain takes the full drag. Too stiff only lags, too soft is unstable for stiff drag.
 [[nodiscard]] inline double predictor_yield(double hold) { return 1.0 - hold; }
+
+/// Part of the drag reaction that meets the fluid as it is in each cell, not as the filter shows it to the grains [kg]. What the
+/// filter hides would else flow through a bed of held grains without resistance, and grow. A free grain would go with it.
+/// @param predictor  Response of a grain in the predictor.
+[[nodiscard]] inline double held_drag(const GrainResponse& predictor, double hold) { return hold * (predictor.reaction - predictor.added); }
 
 /// Yield in the projection: too soft only lags, too stiff is unstable; only stiff drag earns the hold. With 1 / (1 + b)^2 a
 /// held grain stays as soft as a free one where b is small. Where b is large it yields to 0.3 / (1 + b), that is, takes three

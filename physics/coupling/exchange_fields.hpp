@@ -15,7 +15,8 @@ enum GrainSum : std::size_t {
     sum_impulse = sum_flux + 3,            ///< put(J), three components [N s/m3]
     sum_predictor = sum_impulse + 3,       ///< reaction, flux
     sum_projection = sum_predictor + 2,    ///< reaction, flux, displaced
-    sum_added = sum_projection + 3,        ///< added, added_flux of the predictor: zero without added mass
+    sum_held = sum_projection + 3,         ///< held drag [kg/m3]
+    sum_added = sum_held + 1,              ///< added, added_flux of the predictor: zero without added mass
     grain_sums = sum_added + 2
 };
 

@@ -163,7 +163,7 @@ double GrainExchange::hold_of(const core::ParticleSet& grains, int g) const
     return contact_share(contact.dot(applied), applied.squaredNorm());
 }
 
-void GrainExchange::answer(const core::ParticleSet& grains, double dt, GrainTable& deposits) const
+void GrainExchange::answer(const core::ParticleSet& grains, const GrainTable& told, double dt, GrainTable& deposits) const
 {
     deposits.resize(grain_sums);
     for (auto& d : deposits) d.resize(std::size_t(grains.owned));
@@ -176,17 +176,19 @@ void GrainExchange::answer(const core::ParticleSet& grains, double dt, GrainTabl
         const double hold = hold_of(grains, g);
         const GrainResponse p = response_to_velocity(coupling, predictor_yield(hold));
         const GrainResponse q = response_to_pressure(coupling, projection_yield(hold, coupling.drag / coupling.mass));
-        const core::Vec3 untold = column(grains, columns_.untold, g);
+        const double held = held_drag(p, hold);
+        const core::Vec3 around = impulse + p.added * column(grains, columns_.untold, g) - held * at(told, view_velocity, g);
         deposits[sum_solid][k] = coupling.volume;
         for (std::size_t a = 0; a < 3; ++a) {
             deposits[sum_flux + a][k] = coupling.volume * velocity[int(a)];
-            deposits[sum_impulse + a][k] = impulse[int(a)] + p.added * untold[int(a)];
+            deposits[sum_impulse + a][k] = around[int(a)];
         }
         deposits[sum_predictor][k] = p.reaction;
         deposits[sum_predictor + 1][k] = p.flux;
         deposits[sum_projection][k] = q.reaction;
         deposits[sum_projection + 1][k] = q.flux;
         deposits[sum_projection + 2][k] = q.displaced;
+        deposits[sum_held][k] = held;
         deposits[sum_added][k] = p.added;
         deposits[sum_added + 1][k] = p.added_flux;
     }

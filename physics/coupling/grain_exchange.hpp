@@ -61,7 +61,8 @@ public:
     void revise(core::ParticleSet& grains, const GrainTable& views, std::span<const double> fraction) const;
 
     /// Step 3: what each grain deposits; grain_sums columns.
-    void answer(const core::ParticleSet& grains, double dt, GrainTable& deposits) const;
+    /// @param told  Columns of the velocity that the grains were told, sampled where they are now.
+    void answer(const core::ParticleSet& grains, const GrainTable& told, double dt, GrainTable& deposits) const;
 
     /// Step 6: what each grain is owed, with what has not been delivered. All columns are sampled at the new positions.
     /// @param told  Of the views: what the step began with. Filter and sampling are linear: changes are differences of `news` and `told`.

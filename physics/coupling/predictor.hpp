@@ -24,6 +24,13 @@ struct FluidPush {
            sums.added * push.miss;
 }
 
+/// Impulse that the grains took from the fluid of a cell, one component [N s/m3]: the drag of held grains is that of the fluid
+/// there, although they feel the filtered velocity. Sums over all cells and all grains are equal all the same.
+/// @param deposited  put(J - held drag B u), u the velocity that the grains were told [N s/m3].
+/// @param held       put(held drag) (contact_share.hpp) [kg/m3].
+/// @param velocity   u in the cell [m/s].
+[[nodiscard]] inline double impulse_taken(double deposited, double held, double velocity) { return deposited + held * velocity; }
+
 /// Change du of the fluid velocity from `velocity_used`.
 /// @param sums  put() of the grains' responses with the yield of the predictor.
 [[nodiscard]] inline double predicted_change(const FluidPush& push, double fluid_mass, double phi,

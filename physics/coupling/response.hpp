@@ -12,7 +12,8 @@
 //
 // (div tau, that of u^n, acts on the grains alone here: for the fluid it is in u^a. It does not change within a step.)
 //
-//  1. Fluid lane, beside 2:  u^a = u^n advected and diffused, from state n alone.
+//  1. Fluid lane, beside 2:  u^a = u^n advected and diffused, from state n alone; what diffuses is u^n + dt Dudt^n, the fluid as
+//     grains hold it back, not as the drive alone would make it.
 //  2. Grain lane (all DEM sub-steps): frozen B u^n, force f = V B G^n + (rho_p - rho) V g + owed / dt + a B Dudt^n and
 //     contacts; exact exponential drag with mass m + a. Record per grain the contact impulse I_c and
 //        J = m (v^{n+1} - v^n) - (f - a B Dudt) dt - I_c        the impulse of drag, added mass and lift it really received
@@ -21,10 +22,11 @@
 //     left out times dt, joins the miss of this grain in 4 (put(J) gets put(added e)) and 6.
 //  3. Hold h = contact_share(I_c, m (v^{n+1} - v^n) - I_c), per grain; q = predictor_yield(h) in the predictor,
 //     q = projection_yield(h, b) in the projection, b = K dt / m. Move B to the positions n+1. Deposit (filtered):
-//        C, put(V v), put(J), and of response.hpp  predictor: reaction, flux, added, added_flux;
+//        C, put(V v), put(J), the held drag r (contact_share.hpp), and of response.hpp  predictor: reaction, flux, added, added_flux;
 //        projection: reaction, entrained, displaced.
 //  4. Predictor (predictor.hpp), miss = u^n - u^a - dt Dudt:
-//        du = [L + dt phi G^n - put(J) + rho phi (u^a - u^n) - added miss] / (rho phi + reaction_p)
+//        du = [L + dt phi G^n - put(J) - hidden + rho phi (u^a - u^n) - added miss] / (rho phi + reaction_p)
+//        hidden = put(r) u^n - put(r B u^n): drag of held grains on what the filter hides of u; no momentum in sum
 //        u* = u^n + du,   solid flux* = put(V v) + flux du + added_flux miss
 //  5. Projection: ru = dt (phi + entrained) / (rho phi + reaction_q),  mobility = (phi + entrained) ru + dt displaced:
 //        div(mobility dG) = - div(phi u* + solid flux*),   dG = - grad(dp);   u^{n+1} = u* + ru dG,  G^{n+1} = G^n + dG.
@@ -34,13 +36,13 @@
 //     waited for and advection is semi-Lagrangian: u^a is then a velocity, which no error of continuity may change (a uniform
 //     flow stays uniform), and what its momentum rho (phi^{n+1} u^a - phi^n u^n) makes or loses is a line of the budget.
 //     In `coarse` and `concurrent`: what is left of the fluid's equation with the real sums in place of those it took,
-//        L = L^n + dt phi G^{n+1} + rho phi (u^a - u^{n+1}) - put(J) - added miss - reaction_p du - (reaction_q ru - entrained dt) dG,
+//        L = L^n + dt phi G^{n+1} + rho phi (u^a - u^{n+1}) - put(J) - hidden - added miss - reaction_p du - (reaction_q ru - entrained dt) dG,
 //     whatever the places of those it took. With flux-form advection (test column): besides,
 //        L = rho phi^n u^n - dt div(F rho u) - rho phi^{n+1} u^a,  F the volume flux of the fluid at n   (conserved_ledger).
 // The filtered u, -grad p and Dudt of n+1 are made once: for 6, and kept for 2 of the next step. du, dG and miss at the grains
 // are differences of them, for filter and sampling are linear.
-// `iterated` repeats 2-6 from state n with u, Dudt and G of the last pass in place of those of state n: then r of step 4 has
-// rho phi (u^a - u_used), and miss = u_used - u^a - dt Dudt_used; what is owed stays that of state n, K becomes the mean of
+// `iterated` repeats 2-6 from state n with u, Dudt and G of the last pass in place of those of state n: then step 4 has
+// rho phi (u^a - u_used), hidden is that of u_used, and miss = u_used - u^a - dt Dudt_used; what is owed stays that of state n, K becomes the mean of
 // the last pass's and that of u_used (Newton's method where drag is quadratic). The first step of a run: `iterated`.
 // `coarse` takes C, v, J, h of 3-5 from a DEM pass of longer sub-steps, `concurrent` from free flight held back by h of the
 // last step, at the places n: nothing in the fluid lane waits for the grains.

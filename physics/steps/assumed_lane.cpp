@@ -50,10 +50,11 @@ void CoupledStep::declare_assumed(tasks::StageGraph& graph, Mode mode)
             reads(clock_), updates(assumed_));
     graph.whole(
         "sum over assumed grains",
-        [this](tasks::Lane& lane, const FluidClock& clock, AssumedGrains& assumed, Filter& filter, core::FieldBatch<grain_sums>& sums) {
-            return sum_over_grains(lane, assumed.dynamics->particles, clock.dt, assumed.places, filter, sums);
+        [this](tasks::Lane& lane, const core::FieldBatch<told_views>& told, const FluidClock& clock, AssumedGrains& assumed, Filter& filter,
+               core::FieldBatch<grain_sums>& sums) {
+            return sum_over_grains(lane, {assumed.dynamics->particles, told, clock.dt}, assumed.places, filter, sums);
         },
-        reads(clock_), updates(assumed_), writes(fluid_filter_->stage_part, fields_.assumed));
+        reads(fields_.told, clock_), updates(assumed_), writes(fluid_filter_->stage_part, fields_.assumed));
 }
 
 tasks::Job CoupledStep::coarse_pass(tasks::Lane& lane, AssumedGrains& assumed) const

@@ -40,7 +40,7 @@ tasks::Job CoupledStep::initialise(tasks::Lane& lane)
     const MeshLinks links = make_mesh_links(mesh_, ranks_.rank(), BehindWalls::nothing);
     for (LaneFilter* filter : {&filter_, fluid_filter_.get()})
         if (filter) co_await set_up(lane, filter->own, {&faces, links.transmissibility, nullptr}, volume);
-    co_await sum_over_grains(lane, dynamics_.particles, 0.0, places_.get(), filter_.own, fields_.sums);
+    co_await sum_over_grains(lane, {dynamics_.particles, fields_.told, 0.0}, places_.get(), filter_.own, fields_.sums);
     for (LocalBlock b = 0; b < mesh_.own_count(); ++b)
         map_cells(fields_.fraction.on(b), [](double c) { return 1.0 - c; }, fields_.sums.on(b)[sum_solid]);
     co_await tell_state(lane);

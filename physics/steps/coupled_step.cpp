@@ -68,7 +68,7 @@ void CoupledStep::declare(tasks::StageGraph& graph, Mode mode)
         {
             const auto lane = graph.lane("fluid");
             if (pass == 0) {
-                fluid_.declare_predictor(graph);
+                fluid_.declare_advection(graph);
                 declare_advected(graph);
                 if (!waits) declare_assumed(graph, mode);
             }
@@ -140,18 +140,21 @@ void CoupledStep::declare_grain_sums(tasks::StageGraph& graph)
         updates(grains_));
     graph.whole(
         "sum over grains",
-        [this](tasks::Lane& lane, const ParticleDynamics& grains, const FluidClock& clock, GrainPlaces& places, Filter& filter,
-               core::FieldBatch<grain_sums>& sums) { return sum_over_grains(lane, grains.particles, clock.dt, places, filter, sums); },
-        reads(grains_, clock_), updates(places_), writes(filter_.stage_part, fields_.sums));
+        [this](tasks::Lane& lane, const ParticleDynamics& grains, const core::FieldBatch<told_views>& told, const FluidClock& clock,
+               GrainPlaces& places, Filter& filter, core::FieldBatch<grain_sums>& sums) {
+            return sum_over_grains(lane, {grains.particles, told, clock.dt}, places, filter, sums);
+        },
+        reads(grains_, fields_.told, clock_), updates(places_), writes(filter_.stage_part, fields_.sums));
 }
 
-tasks::Job CoupledStep::sum_over_grains(tasks::Lane& lane, const core::ParticleSet& grains, double dt, GrainPlaces& places,
-                                        Filter& filter, core::FieldBatch<grain_sums>& sums)
+tasks::Job CoupledStep::sum_over_grains(tasks::Lane& lane, MovedGrains moved, GrainPlaces& places, Filter& filter,
+                                        core::FieldBatch<grain_sums>& sums)
 {
     GrainTable deposits;
     lane.attempt([&] {
-        places.locate(mesh_, locator_, dynamics_.domain(), grains);
-        exchange_.answer(grains, dt, deposits);
+        places.locate(mesh_, locator_, dynamics_.domain(), moved.grains);
+        const GrainTable told = sample(lane.team(), places, std::size_t(moved.grains.owned), moved.told);
+        exchange_.answer(moved.grains, told, moved.dt, deposits);
     });
     co_await lane.agree();
     lane.team().run(mesh_.own_count(), [&](int b) {

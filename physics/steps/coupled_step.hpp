@@ -65,8 +65,14 @@ private:
     void declare_owed(tasks::StageGraph& graph);
     void declare_told(tasks::StageGraph& graph, Pass pass);
 
-    [[nodiscard]] tasks::Job sum_over_grains(tasks::Lane& lane, const core::ParticleSet& grains, double dt, GrainPlaces& places,
-                                             Filter& filter, core::FieldBatch<grain_sums>& sums);
+    /// Grains after the sub-steps, and what they were told.
+    struct MovedGrains {
+        const core::ParticleSet& grains;
+        const core::FieldBatch<told_views>& told;
+        double dt; ///< [s]
+    };
+    [[nodiscard]] tasks::Job sum_over_grains(tasks::Lane& lane, MovedGrains moved, GrainPlaces& places, Filter& filter,
+                                             core::FieldBatch<grain_sums>& sums);
     struct GrainState {
         core::ParticleSet particles;
         core::ContactHistory history;

@@ -69,7 +69,7 @@ void FluidStep::declare_predictor(tasks::StageGraph& graph)
                           advected.component(c), gp.component(c));
         },
         reads(f.advected, f.pressure_gradient, clock_), writes(f.predicted));
-    if (viscosity_system_) declare_implicit_viscosity(graph);
+    declare_implicit_viscosity(graph);
 }
 
 void FluidStep::declare_boundaries(tasks::StageGraph& graph)
@@ -129,6 +129,7 @@ void FluidStep::declare_advection(tasks::StageGraph& graph)
 
 void FluidStep::declare_implicit_viscosity(tasks::StageGraph& graph)
 {
+    if (!viscosity_system_) return;
     auto& f = fields_;
     graph.each_block(
         "guess of viscous change",

@@ -38,8 +38,12 @@ public:
     [[nodiscard]] tasks::Job find_viscous_acceleration(tasks::Lane& lane, core::VectorField& acceleration);
     /// What carries the fluid, where it is alone.
     void declare_transport(tasks::StageGraph& graph);
-    /// Up to the predicted velocity: nothing here depends on the particles of this step.
+    /// Up to the predicted velocity, where the fluid is alone.
     void declare_predictor(tasks::StageGraph& graph);
+    /// What flows bring: fields().advected.
+    void declare_advection(tasks::StageGraph& graph);
+    /// Viscosity acts on the predicted velocity.
+    void declare_implicit_viscosity(tasks::StageGraph& graph);
     /// From the predicted velocity to the new state.
     void declare_projection(tasks::StageGraph& graph);
 
@@ -59,8 +63,6 @@ private:
     void velocity_gradients(core::LocalBlock b, Vectors u, const std::array<core::VectorView<double>, 3>& out) const;
     void viscous_acceleration(core::LocalBlock b, Vectors u, const std::array<Vectors, 3>& gradients, core::FaceView<double> scratch,
                               core::VectorView<double> out) const;
-    void declare_advection(tasks::StageGraph& graph);
-    void declare_implicit_viscosity(tasks::StageGraph& graph);
     void declare_face_flux(tasks::StageGraph& graph);
     void declare_correction(tasks::StageGraph& graph);
     void declare_budget(tasks::StageGraph& graph);

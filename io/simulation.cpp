@@ -98,6 +98,7 @@ void Simulation::step()
         throw;
     }
     for (const std::string& warning : world_.take_warnings()) log_.warning(warning);
+    for (const std::string& note : world_.take_notes()) log_.info(note);
 }
 
 StopReason Simulation::run()
@@ -118,6 +119,7 @@ StopReason Simulation::run()
         trace_.write(*world_.plan(), ranks_.rank(), directory_.trace(ranks_.rank()));
         for (const std::string& line : trace_lines(trace_.digest(*world_.plan()), ranks_)) log_.info(line);
     }
+    if (world_.coupling()) log_.info(fmt::format("coupling: {}; the last, {}", world_.mode_counts(), world_.mode_reason()));
     log_.info(memory_line(world_));
     if (reason != StopReason::none) log_.info(fmt::format("stopped by {} at t = {:.6g} s, state saved", name_of(reason), world_.time()));
     else log_.info(fmt::format("finished at t = {:.6g} s after {} steps in {}", world_.time(), world_.clock().step, duration_text(log_.seconds())));

@@ -102,7 +102,9 @@ std::string progress_text(const StudyPlan& plan, const StudyRun& run)
     std::vector<std::string> words;
     for (std::size_t a = 0; a < run.labels.size(); ++a) words.push_back(plan.axes[a] + " " + run.labels[a]);
     const std::string error = plan.study.error == StudyError::self ? "" : fmt::format(": e_2 = {:.3e}", run.error.e_2);
-    return fmt::format("{}{}, {} steps in {:.2f} s", joined(words, ", "), error, run.steps, run.wall);
+    std::string text = fmt::format("{}{}, {} steps in {:.2f} s", joined(words, ", "), error, run.steps, run.wall);
+    for (const std::string& warning : run.warnings) text += "\n  " + warning;
+    return text;
 }
 
 std::string table_text(const StudyReport& report)

@@ -81,6 +81,7 @@ StudyRun run_once(const Study& study, const StudyCase& one, const core::Communic
         watch.stop();
         run.iterations += iterations_of(world);
         std::visit([](auto& m) { m.after_step(); }, meter);
+        for (std::string& warning : world.take_warnings()) run.warnings.push_back(std::move(warning));
     }
     run.steps = long(world.clock().step);
     run.cells = world.mesh().total_cells();

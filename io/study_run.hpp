@@ -29,6 +29,7 @@ struct StudyRun {
     ErrorNorms error;
     bool is_reference = false;  ///< its error is not known
     std::vector<double> trace;  ///< of this rank; see study_error.hpp
+    std::vector<std::string> warnings;
 
     [[nodiscard]] double core_seconds() const { return wall * ranks * threads; }
     [[nodiscard]] double cell_steps_per_second() const { return double(cells) * double(steps) / wall; }

@@ -13,13 +13,6 @@
 namespace io {
 namespace {
 
-tasks::Layout layout_of(const core::Mesh& mesh)
-{
-    tasks::Layout layout;
-    for (const core::Extents e : mesh.own_cells()) layout.cells.push_back(e.size());
-    return layout;
-}
-
 /// The cell that holds the middle of the low end of the drive's axis.
 std::optional<core::Location> axis_cell(const core::Mesh& mesh, const Grid& grid, const core::Vec3& direction)
 {
@@ -32,7 +25,7 @@ std::optional<core::Location> axis_cell(const core::Mesh& mesh, const Grid& grid
 
 World::World(const Scene& scene, const core::Communicator& ranks)
     : scene_(scene), ranks_(ranks), mesh_(make_blocks(scene.grid), ranks.rank(), ranks.size()),
-      halos_(mesh_, ranks_, core::HaloShape::full), graph_(layout_of(mesh_), ranks_)
+      halos_(mesh_, ranks_, core::HaloShape::full), graph_(layout(), ranks_)
 {
     graph_.fill_halos_with(halos_);
     if (scene_.fluid) {
@@ -53,6 +46,13 @@ void World::make_grains()
     stepper_.emplace(*grains_, owner_of, ranks_.rank(), ranks_.size());
 }
 
+tasks::Layout World::layout() const
+{
+    tasks::Layout layout;
+    for (const core::Extents e : mesh_.own_cells()) layout.cells.push_back(e.size());
+    return layout;
+}
+
 int World::owner_of(const core::Vec3& position) const
 {
     const auto at = locator_->find(position + grains_->domain().origin);
@@ -61,11 +61,8 @@ int World::owner_of(const core::Vec3& position) const
 
 void World::make_coupling()
 {
-    const physics::CouplingParameters parameters = coupling_parameters(scene_);
-    coupling_.emplace(mesh_, ranks_, halos_, *fluid_, *grains_, *stepper_, parameters);
+    coupling_.emplace(mesh_, ranks_, halos_, *fluid_, *grains_, *stepper_, coupling_parameters(scene_));
     asked_mode_ = asked_mode(scene_);
-    if (asked_mode_ == physics::Mode::iterated) mode_reason_ = "iterated: as the scene asks";
-    else mode_reason_ = core::text(physics::name(planned_mode()), ", but iterated in the first step and wherever drag is too stiff for it");
 }
 
 void World::settle(const core::Team& team)
@@ -81,7 +78,7 @@ void World::settle(const core::Team& team)
 void World::declare()
 {
     if (coupling_) {
-        coupling_->declare(graph_, planned_mode());
+        coupling_->declare(graph_, planned_mode_);
     } else if (fluid_) {
         fluid_->declare(graph_);
     } else if (grains_) {
@@ -98,31 +95,12 @@ void World::declare()
 
 const tasks::Plan& World::compile()
 {
+    if (coupling_) plan_mode();
     declare();
     plan_.emplace(graph_.compile({"budget"}));
-    if (coupling_ && planned_mode() != physics::Mode::iterated) add_mode(physics::Mode::iterated);
+    if (coupling_ && planned_mode_ != physics::Mode::iterated) add_mode(physics::Mode::iterated);
     initialise();
     return *plan_;
-}
-
-World::OtherMode& World::add_mode(physics::Mode mode)
-{
-    OtherMode& other = others_.try_emplace(mode, layout_of(mesh_), ranks_).first->second;
-    other.graph.fill_halos_with(halos_);
-    coupling_->declare(other.graph, mode);
-    other.plan.emplace(other.graph.compile({"budget"}));
-    return other;
-}
-
-tasks::Executor& World::executor_of(physics::Mode mode)
-{
-    if (!others_.contains(mode)) {
-        add_mode(mode);
-        initialise();
-    }
-    OtherMode& other = others_.at(mode);
-    if (!other.executor) other.executor = tasks::make_executor(other_options_, *other.plan);
-    return *other.executor;
 }
 
 void World::step(tasks::Executor& executor)
@@ -161,25 +139,12 @@ void World::try_step(tasks::Executor& executor)
     auto& now = clock();
     now.dt = next_step();
     if (coupling_) coupling_->sub_steps = sub_steps_;
-    const physics::Mode mode = coupling_ ? choose_mode() : planned_mode();
-    (mode == planned_mode() ? executor : executor_of(mode)).run_step(now.step);
+    const physics::Mode mode = coupling_ ? choose_mode() : planned_mode_;
+    (mode == planned_mode_ ? executor : executor_of(mode)).run_step(now.step);
     now.advance();
     require_finite(*this);
+    if (coupling_) ++steps_of_mode_[mode];
     if (fluid_ && axis_ && physics::turn_if_due(fluid_->parameters().drive, axis_speed(), now.time, now.drive)) now.steps_since_jump = 0;
-}
-
-physics::Mode World::choose_mode()
-{
-    physics::StabilityNumbers n = coupling_->stability(clock().dt);
-    std::array all{n.stiffness, n.loading, n.amplification, n.solid_fraction};
-    ranks_.max(all);
-    n = {all[0], all[1], all[2], all[3]};
-    const physics::ModeChoice choice = physics::mode_of_step(asked_mode_, n, clock().step);
-    const bool unstable = choice.mode == physics::Mode::iterated && asked_mode_ != physics::Mode::iterated && clock().step > 0;
-    if (unstable && !std::exchange(has_been_unstable_, true)) // it may come and go
-        warnings_.push_back(core::text("coupling in step ", clock().step, " and wherever else it is needed: ", choice.reason));
-    mode_reason_ = choice.reason;
-    return choice.mode;
 }
 
 double World::axis_speed() const

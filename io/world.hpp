@@ -10,6 +10,7 @@
 #include "tasks/exchange_filler.hpp"
 #include "tasks/executor.hpp"
 #include <map>
+#include <set>
 
 namespace io {
 
@@ -35,7 +36,7 @@ public:
     [[nodiscard]] physics::FluidClock& clock() { return fluid_ ? fluid_->state().clock : dry_clock_; }
     /// Sub-steps of the grains in the last step; 0 without grains.
     [[nodiscard]] int sub_steps() const { return sub_steps_; }
-    /// Why the coupling of the last step had its mode; empty without coupling.
+    /// Why the coupling of the last step had its mode, or what is expected before the first; empty without coupling.
     [[nodiscard]] const std::string& mode_reason() const { return mode_reason_; }
     /// How steps run whose mode is not that of the plan: the first, and those for which another is better.
     void run_other_modes_with(const tasks::ExecutorOptions& options) { other_options_ = options; }
@@ -55,7 +56,11 @@ public:
     void step(tasks::Executor& executor);
     /// Makes the next step no longer than this share of what the limits allow; a failed step does the same by halves.
     void shorten_next_step(double share) { shortening_ = share; }
-    /// Why steps had to be repeated, or coupled by another mode than planned, since the last call.
+    /// How many steps were made by which mode since the state was made or read; empty without coupling.
+    [[nodiscard]] std::string mode_counts() const;
+    /// Modes that `auto` has begun to use since the last call, and why.
+    [[nodiscard]] std::vector<std::string> take_notes() { return std::exchange(notes_, {}); }
+    /// Why steps had to be repeated, or coupled by a safer mode, since the last call.
     [[nodiscard]] std::vector<std::string> take_warnings() { return std::exchange(warnings_, {}); }
     /// The length of the next step [s]. Collective.
     [[nodiscard]] double next_step();
@@ -68,8 +73,10 @@ private:
     void make_grains();
     void make_coupling();
     void declare();
+    [[nodiscard]] tasks::Layout layout() const;
+    [[nodiscard]] physics::StabilityNumbers stability(double dt) const;
+    void plan_mode();
     [[nodiscard]] physics::Mode choose_mode();
-    [[nodiscard]] physics::Mode planned_mode() const { return asked_mode_.value_or(physics::Mode::pipelined); }
     struct OtherMode {
         OtherMode(const tasks::Layout& layout, const core::Communicator& ranks) : graph(layout, ranks) {}
         tasks::StageGraph graph;
@@ -98,15 +105,17 @@ private:
     physics::FluidClock dry_clock_; ///< of a scene without fluid
     std::optional<core::Location> axis_;
     std::optional<physics::Mode> asked_mode_;
-    bool has_been_unstable_ = false;
+    physics::Mode planned_mode_ = physics::Mode::pipelined;
     std::string mode_reason_;
+    std::map<physics::Mode, std::int64_t> steps_of_mode_;
+    std::set<physics::Mode> told_modes_; ///< to the user
     std::map<physics::Mode, OtherMode> others_;
     tasks::ExecutorOptions other_options_{.kind = "serial"};
     int sub_steps_ = 0;
     std::string limit_name_; ///< of the last step
     double shortening_ = 1.0; ///< of the step that is being tried again
     StateCopy before_;
-    std::vector<std::string> warnings_;
+    std::vector<std::string> warnings_, notes_;
 };
 
 } // namespace io

@@ -124,14 +124,16 @@ std::ostream& operator<<(std::ostream& stream, const Digest& d)
 {
     constexpr double milli = 1e3;
     const double per_step = milli / double(std::max<std::int64_t>(d.steps, 1));
+    const auto share = [&](double time) { return d.wall > 0.0 ? 100.0 * time / d.wall : 0.0; };
     stream << d.steps << " steps; per step: wall " << d.wall * per_step << " ms, work " << d.work * per_step << " ms (";
     const char* between = "";
     for (const auto& [lane, work] : d.lanes) {
         stream << between << (lane.empty() ? "neither" : lane) << ' ' << work * per_step << " ms";
         between = ", ";
     }
-    return stream << "), longest path " << d.longest * per_step << " ms, lanes overlap " << d.overlap * per_step
-                  << " ms, exposed wait " << d.exposed * per_step << " ms; imbalance of threads " << 100.0 * d.imbalance << " %";
+    return stream << "), longest path " << d.longest * per_step << " ms, lanes overlap " << d.overlap * per_step << " ms ("
+                  << share(d.overlap) << " % of the wall time), exposed wait " << d.exposed * per_step << " ms (" << share(d.exposed)
+                  << " %); imbalance of threads " << 100.0 * d.imbalance << " %";
 }
 
 } // namespace tasks

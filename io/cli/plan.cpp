@@ -5,12 +5,22 @@
 #include "io/grid_report.hpp"
 #include "io/scene_reader.hpp"
 #include "io/world.hpp"
+#include "tasks/overlap.hpp"
 #include <fmt/format.h>
 #include <iostream>
 #include <memory>
 
 namespace io {
 namespace {
+
+/// Without what only carries halos and sets walls.
+std::string work_beside_grains(const tasks::Plan& plan)
+{
+    std::string text;
+    for (const std::string& stage : tasks::stages_beside(plan, "move grains"))
+        if (!stage.starts_with("halo of") && !stage.starts_with("walls of")) text += (text.empty() ? "" : ", ") + stage;
+    return text;
+}
 
 int plan(const std::string& scene_path, const std::vector<std::string>& overrides, Invocation invocation)
 {
@@ -26,7 +36,8 @@ int plan(const std::string& scene_path, const std::vector<std::string>& override
     fmt::print("\n");
     if (!world.fluid()) fmt::print("no fluid: no fluid stage, no fluid field\n");
     if (!world.grains()) fmt::print("no particles: no particle stage, no fluid fraction\n");
-    if (world.coupling()) fmt::print("coupling {}\n", world.mode_reason());
+    if (world.coupling())
+        fmt::print("coupling {}\nwhile the grains move, the fluid lane may: {}\n", world.mode_reason(), work_beside_grains(*world.plan()));
     fmt::print("\n{}\n", grid_report(world.mesh()));
     std::cout << report;
     return exit_success;

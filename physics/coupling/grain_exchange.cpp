@@ -142,9 +142,15 @@ GrainCoupling GrainExchange::coupling_of(const core::ParticleSet& grains, int g,
             grains.columns[std::size_t(columns_.added_mass)][k]};
 }
 
-double GrainExchange::drag_rate(const core::ParticleSet& grains, int g) const
+double GrainExchange::drag_rate(const core::ParticleSet& grains, int g, double fraction) const
 {
-    return grains.columns[std::size_t(columns_.drag)][std::size_t(g)] / grains.mass[std::size_t(g)];
+    const auto k = std::size_t(g);
+    double drag = grains.columns[std::size_t(columns_.drag)][k];
+    if (drag == 0.0) {
+        const double weight = std::abs(grains.mass[k] - parameters_.fluid_density * volume_of(grains, g)) * parameters_.gravity.norm();
+        drag = settling_drag(parameters_, weight, fraction, 2.0 * grains.radius[k]);
+    }
+    return drag / grains.mass[k];
 }
 
 double GrainExchange::volume(const core::ParticleSet& grains, int g) { return volume_of(grains, g); }

@@ -69,8 +69,8 @@ public:
     /// @param news  grain_news columns.
     void owe(core::ParticleSet& grains, const GrainTable& told, const GrainTable& news, double dt) const;
 
-    /// K / m, K that of the last step [1/s].
-    [[nodiscard]] double drag_rate(const core::ParticleSet& grains, int g) const;
+    /// K / m, K that of the last step or, before the first, of a grain that settles in the fluid fraction `fraction` [1/s].
+    [[nodiscard]] double drag_rate(const core::ParticleSet& grains, int g, double fraction) const;
     [[nodiscard]] static double volume(const core::ParticleSet& grains, int g);
     /// Columns of `deposits`, and arrays of their sums, that are not zero throughout.
     [[nodiscard]] std::size_t sums() const { return parameters_.added_mass > 0 ? grain_sums : sum_added; }

@@ -16,6 +16,9 @@ constexpr double stiff_for_auto = 5.0;
 constexpr double stiff_for_pipelined = 50.0;
 constexpr double quiet_amplification = 0.3;
 constexpr double dilute = 0.1;
+// A grain's sub-step takes about a tenth of a microsecond, a cell's step 1.4: from here on the grains take as long as half of the
+// fluid, and not to wait for them is worth a second sum over them.
+constexpr double long_wait = 7.0;
 
 bool concurrent_holds(const StabilityNumbers& n)
 {
@@ -55,14 +58,19 @@ const char* name(Mode mode)
 ModeChoice choose_mode(const StabilityNumbers& n)
 {
     const std::string numbers = core::text("b = ", n.stiffness, ", M = ", n.loading, ", A = ", n.amplification,
-                                           ", C = ", n.solid_fraction, ", b M/(1+M) = ", coupling_number(n));
+                                           ", C = ", n.solid_fraction, ", b M/(1+M) = ", coupling_number(n), ", sub-steps of grains per cell ",
+                                           n.grain_work);
     if (n.stiffness > stiff_for_auto) {
         return {Mode::iterated, core::text("iterated: drag is too stiff for one pass (b > ", stiff_for_auto, "); ", numbers)};
     }
-    if (concurrent_holds(n) && n.solid_fraction < dilute) {
-        return {Mode::concurrent, core::text("concurrent: soft drag and few grains, nothing needs to wait; ", numbers)};
+    if (!concurrent_holds(n) || n.solid_fraction >= dilute) {
+        return {Mode::pipelined, core::text("pipelined: drag is soft enough for one pass, but so many grains press on each other and on the fluid that "
+                                            "it needs their real state ('coarse' holds too, for a third more work of the grains); ", numbers)};
     }
-    return {Mode::pipelined, core::text("pipelined: grains in contact or pressure lag (A) need the grains' real state; ", numbers)};
+    if (n.grain_work < long_wait) {
+        return {Mode::pipelined, core::text("pipelined: 'concurrent' would hold (soft drag, few grains), but there is little to wait for; ", numbers)};
+    }
+    return {Mode::concurrent, core::text("concurrent: soft drag and few grains with much work, the fluid need not wait for them; ", numbers)};
 }
 
 ModeChoice mode_of_step(std::optional<Mode> asked, const StabilityNumbers& numbers, std::int64_t step)

@@ -25,6 +25,7 @@ struct StabilityNumbers {
     double loading = 0.0;       ///< M = solid mass over fluid mass of a cell, the largest [-]
     double amplification = 0.0; ///< A of naive lagging, added_mass_amplification() [-]
     double solid_fraction = 0.0; ///< C, the largest [-]
+    double grain_work = 0.0;     ///< sub-steps of grains per cell of the fluid: what a fluid lane would wait for [-]
 };
 
 struct ModeChoice {
@@ -44,7 +45,7 @@ struct ModeChoice {
 /// Is a mode stable for these numbers?
 [[nodiscard]] bool holds(Mode mode, const StabilityNumbers& numbers);
 
-/// The mode with the most overlap that holds for these numbers and lets a bed come to rest, and why.
+/// The mode that is sure for these numbers, and why: `concurrent` only where grains are few and to wait for them is long.
 [[nodiscard]] ModeChoice choose_mode(const StabilityNumbers& numbers);
 
 /// The mode of one step, and why: the first of a run, and every step that the mode asked for could not stand, is `iterated`.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "physics/coupling/parameters.hpp"
 #include "physics/coupling/drag.hpp"
+#include <cmath>
 
 namespace physics {
 
@@ -16,6 +17,14 @@ double drag_coefficient(const CouplingParameters& p, double slip, double fractio
     case DragLaw::schiller_naumann: return drag_schiller_naumann(in);
     }
     return 0.0;
+}
+
+double settling_drag(const CouplingParameters& p, double weight, double fraction, double diameter)
+{
+    double drag = drag_coefficient(p, 0.0, fraction, diameter);
+    // Drag grows with the slip by a power between 0 and 1: the mean of the logarithms converges, by a half in each round at least.
+    for (int n = 0; n < 40; ++n) drag = std::sqrt(drag * drag_coefficient(p, weight / drag, fraction, diameter));
+    return drag;
 }
 
 } // namespace physics

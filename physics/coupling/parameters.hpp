@@ -40,4 +40,7 @@ struct CouplingParameters {
 /// Drag coefficient K of one grain by the chosen law [kg/s].
 [[nodiscard]] double drag_coefficient(const CouplingParameters& parameters, double slip, double fraction, double diameter);
 
+/// The same at the slip at which drag carries `weight` [N]: what to expect of a grain before anything has moved.
+[[nodiscard]] double settling_drag(const CouplingParameters& parameters, double weight, double fraction, double diameter);
+
 } // namespace physics

@@ -56,7 +56,7 @@ StabilityNumbers CoupledStep::stability(double dt) const
     const double fluid_share = 1.0 - std::min(n.solid_fraction, 1.0 - smallest_closure_fraction);
     for (int g = 0; g < dynamics_.particles.owned; ++g) {
         const double ratio = dynamics_.particles.mass[std::size_t(g)] / (parameters_.fluid_density * exchange_.volume(dynamics_.particles, g));
-        n.stiffness = std::max(n.stiffness, dt * exchange_.drag_rate(dynamics_.particles, g));
+        n.stiffness = std::max(n.stiffness, dt * exchange_.drag_rate(dynamics_.particles, g, fluid_share));
         n.loading = std::max(n.loading, ratio * (1.0 - fluid_share) / fluid_share);
         n.amplification = std::max(n.amplification, added_mass_amplification(fluid_share, ratio, parameters_.added_mass));
     }

@@ -34,7 +34,8 @@ public:
 
     [[nodiscard]] ExchangeFields& fields() { return fields_; }
     [[nodiscard]] const GrainExchange& exchange() const { return exchange_; }
-    /// Extremes of the present state on this rank, for steps of `dt` [s]; the drag is that of the last step, 0 before the first.
+    /// Extremes of the present state on this rank, for steps of `dt` [s]; the drag is that of the last step, before the first that
+    /// of grains that settle.
     [[nodiscard]] StabilityNumbers stability(double dt) const;
     [[nodiscard]] int filter_degree() const { return filter_.own.degree(); }
     /// Sub-steps of the grains in the step that is being made; set it together with the clock's dt = sub_steps * sub-step.

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+// By which coupling mode a World steps, and why.
+#include "core/base/error.hpp"
+#include "io/world.hpp"
+
+namespace io {
+
+/// Extremes of all ranks, for steps of `dt` [s].
+physics::StabilityNumbers World::stability(double dt) const
+{
+    const physics::StabilityNumbers own = coupling_->stability(dt);
+    std::array greatest{own.stiffness, own.loading, own.amplification, own.solid_fraction};
+    double grains = double(grains_->particles.owned);
+    ranks_.max(greatest);
+    ranks_.sum(std::span(&grains, 1));
+    return {greatest[0], greatest[1], greatest[2], greatest[3], grains * sub_steps_ / double(mesh_.total_cells())};
+}
+
+/// What the graph is made for, and other graphs only on demand.
+void World::plan_mode()
+{
+    initialise();
+    const physics::ModeChoice expected = physics::mode_of_step(asked_mode_, stability(next_step()), 1);
+    planned_mode_ = asked_mode_.value_or(expected.mode);
+    told_modes_.insert(expected.mode);
+    mode_reason_ = expected.reason;
+    if (asked_mode_ != physics::Mode::iterated) mode_reason_ += "; so it seems at the start, where the first step is iterated";
+}
+
+physics::Mode World::choose_mode()
+{
+    const auto step = clock().step;
+    const physics::ModeChoice choice = physics::mode_of_step(asked_mode_, stability(clock().dt), step);
+    mode_reason_ = choice.reason;
+    if (step > 0 && told_modes_.insert(choice.mode).second) { // it may come and go
+        const bool safer = choice.mode == physics::Mode::iterated;
+        (safer ? warnings_ : notes_).push_back(core::text("coupling in step ", step, " and wherever else it is needed: ", choice.reason));
+    }
+    return choice.mode;
+}
+
+World::OtherMode& World::add_mode(physics::Mode mode)
+{
+    OtherMode& other = others_.try_emplace(mode, layout(), ranks_).first->second;
+    other.graph.fill_halos_with(halos_);
+    coupling_->declare(other.graph, mode);
+    other.plan.emplace(other.graph.compile({"budget"}));
+    return other;
+}
+
+tasks::Executor& World::executor_of(physics::Mode mode)
+{
+    if (!others_.contains(mode)) {
+        add_mode(mode);
+        initialise();
+    }
+    OtherMode& other = others_.at(mode);
+    if (!other.executor) other.executor = tasks::make_executor(other_options_, *other.plan);
+    return *other.executor;
+}
+
+std::string World::mode_counts() const
+{
+    std::string text;
+    for (const auto& [mode, steps] : steps_of_mode_)
+        text += core::text(text.empty() ? "" : ", ", steps, steps == 1 ? " step " : " steps ", physics::name(mode));
+    return text;
+}
+
+} // namespace io

@@ -23,7 +23,7 @@ void World::plan_mode()
     initialise();
     const physics::ModeChoice expected = physics::mode_of_step(asked_mode_, stability(next_step()), 1);
     planned_mode_ = asked_mode_.value_or(expected.mode);
-    told_modes_.insert(expected.mode);
+    if (expected.mode != physics::Mode::iterated) told_modes_.insert(expected.mode); // which costs three times as much: a warning when it comes
     mode_reason_ = expected.reason;
     if (asked_mode_ != physics::Mode::iterated) mode_reason_ += "; so it seems at the start, where the first step is iterated";
 }

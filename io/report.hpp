@@ -6,7 +6,8 @@
 
 namespace io {
 
-/// A page that needs nothing beside it: scene, versions, the columns of metrics.csv as curves, at most twelve frames.
+/// A page that needs nothing beside it: scene, versions, the columns of metrics.csv as curves, at most twelve frames,
+/// how fluid and particles were coupled.
 /// Parts that the run does not have are left out. @throws core::ConfigError if the folder has no run.
 [[nodiscard]] std::string report_html(const RunDirectory& run);
 

@@ -20,7 +20,7 @@ physics::StabilityNumbers World::stability(double dt) const
 /// What the graph is made for, and other graphs only on demand.
 void World::plan_mode()
 {
-    initialise();
+    tasks::run(ranks_, core::SerialTeam(), [&](tasks::Lane& lane) { return coupling_->find_fraction(lane); });
     const physics::ModeChoice expected = physics::mode_of_step(asked_mode_, stability(next_step()), 1);
     planned_mode_ = asked_mode_.value_or(expected.mode);
     if (expected.mode != physics::Mode::iterated) told_modes_.insert(expected.mode); // which costs three times as much: a warning when it comes
@@ -33,7 +33,7 @@ physics::Mode World::choose_mode()
     const auto step = clock().step;
     const physics::ModeChoice choice = physics::mode_of_step(asked_mode_, stability(clock().dt), step);
     mode_reason_ = choice.reason;
-    if (step > 0 && told_modes_.insert(choice.mode).second) { // it may come and go
+    if (step > 0 && choice.mode != asked_mode_ && told_modes_.insert(choice.mode).second) { // it may come and go
         const bool safer = choice.mode == physics::Mode::iterated;
         (safer ? warnings_ : notes_).push_back(core::text("coupling in step ", step, " and wherever else it is needed: ", choice.reason));
     }

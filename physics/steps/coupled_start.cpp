@@ -33,7 +33,7 @@ core::FaceField transmissibilities(const core::Mesh& mesh)
 
 } // namespace
 
-tasks::Job CoupledStep::initialise(tasks::Lane& lane)
+tasks::Job CoupledStep::find_fraction(tasks::Lane& lane)
 {
     const core::ScalarField volume = volumes(mesh_);
     const core::FaceField faces = transmissibilities(mesh_);
@@ -43,6 +43,11 @@ tasks::Job CoupledStep::initialise(tasks::Lane& lane)
     co_await sum_over_grains(lane, {dynamics_.particles, fields_.told, 0.0}, places_.get(), filter_.own, fields_.sums);
     for (LocalBlock b = 0; b < mesh_.own_count(); ++b)
         map_cells(fields_.fraction.on(b), [](double c) { return 1.0 - c; }, fields_.sums.on(b)[sum_solid]);
+}
+
+tasks::Job CoupledStep::initialise(tasks::Lane& lane)
+{
+    co_await find_fraction(lane);
     co_await tell_state(lane);
 }
 

@@ -31,6 +31,8 @@ public:
     /// Finds the grains among the cells, sets the fluid fraction and what the grains are told: to be called whenever the state
     /// was set from outside. Collective.
     [[nodiscard]] tasks::Job initialise(tasks::Lane& lane);
+    /// The first part of initialise(): enough for stability(), and no graph need be compiled. Collective.
+    [[nodiscard]] tasks::Job find_fraction(tasks::Lane& lane);
 
     [[nodiscard]] ExchangeFields& fields() { return fields_; }
     [[nodiscard]] const GrainExchange& exchange() const { return exchange_; }

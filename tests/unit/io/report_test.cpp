@@ -44,7 +44,11 @@ TEST_CASE("a report holds scene, curves and at most twelve pictures, and points 
     std::ofstream(run.scene()) << "name: a < b\n";
     std::ofstream(run.metrics()) << "time,step,mean_height_S,mean_height_L\n0,0,1,2\n1,1,3,4\n";
     for (int n = 0; n < 40; ++n) std::ofstream(run.frames() / ("frame_" + std::to_string(100 + n) + ".png")) << (n % 2 ? "Man" : "Ma");
+    std::ofstream(run.log()) << "[ 1.0 s] coupling: 3 steps coarse\n[ 1.0 s] rank 0: 3 steps, lanes overlap 2 ms\n[ 1.0 s] memory: 1 MB\n";
     const std::string page = io::report_html(run);
+    CHECK(page.find("coupling: 3 steps coarse") != std::string::npos);
+    CHECK(page.find("lanes overlap 2 ms") != std::string::npos);
+    CHECK(page.find("memory: 1 MB") == std::string::npos);
     CHECK(page.find("1.2.3") != std::string::npos);
     CHECK(page.find("a &lt; b") != std::string::npos);
     CHECK(count(page, "<svg") == 1);

@@ -23,7 +23,8 @@ double settling_drag(const CouplingParameters& p, double weight, double fraction
 {
     double drag = drag_coefficient(p, 0.0, fraction, diameter);
     // Drag grows with the slip by a power between 0 and 1: the mean of the logarithms converges, by a half in each round at least.
-    for (int n = 0; n < 40; ++n) drag = std::sqrt(drag * drag_coefficient(p, weight / drag, fraction, diameter));
+    constexpr int rounds = 16;
+    for (int n = 0; n < rounds; ++n) drag = std::sqrt(drag * drag_coefficient(p, weight / drag, fraction, diameter));
     return drag;
 }
 

@@ -3,6 +3,7 @@
 #include "physics/coupling/added_mass.hpp"
 #include "physics/coupling/drag.hpp"
 #include "physics/coupling/lift.hpp"
+#include "physics/coupling/parameters.hpp"
 #include "physics/coupling/torque.hpp"
 
 #include <doctest/doctest.h>
@@ -37,6 +38,22 @@ TEST_CASE("a fixed bed with Ergun's drag has Ergun's pressure drop under set II"
         const double u = superficial[i] / phi;
         const double force = physics::drag_ergun(water(u, phi, d)) * u * (1.0 - phi) / volume;
         CHECK(force / phi == doctest::Approx(drop[i]).epsilon(1e-5)); // printed to six digits
+    }
+}
+
+TEST_CASE("the drag expected of a grain carries its weight at the slip it is for")
+{
+    using physics::DragLaw;
+    physics::CouplingParameters p;
+    for (const DragLaw law : {DragLaw::di_felice, DragLaw::gidaspow, DragLaw::kawaguchi, DragLaw::schiller_naumann}) {
+        p.drag = law;
+        for (const double diameter : {1e-5, 2e-4, 5e-3}) // from creeping to a Reynolds number of thousands
+            for (const double fraction : {0.45, 0.7, 1.0}) {
+                const double weight = pi / 6.0 * std::pow(diameter, 3) * 1650.0 * 9.81;
+                const double drag = physics::settling_drag(p, weight, fraction, diameter);
+                // Sixteen rounds, each of which leaves at most half of the error of the first, some factor of a hundred.
+                CHECK(std::abs(physics::drag_coefficient(p, weight / drag, fraction, diameter) / drag - 1.0) < 1e-4);
+            }
     }
 }
 

@@ -47,6 +47,9 @@
 // `coarse` takes C, v, J, h of 3-5 from a DEM pass of longer sub-steps, `concurrent` from free flight held back by h of the
 // last step, at the places n: nothing in the fluid lane waits for the grains.
 //
+// Limit: contacts must be stiff against drag. A held grain that its drag moves on its springs by more than the fluid goes in a
+// step, K / (k dt) > 1 with k the stiffness of the bed as a whole, makes the bed and its fluid sway ever more, in every mode.
+//
 // Why it is stable: the predictor must not be softer than the truth (it over-corrects drag), the projection not stiffer (it
 // over-corrects pressure); hence two holds. Grain by grain, because a cell of held and free grains is neither.
 #include <cmath>

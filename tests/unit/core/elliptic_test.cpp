@@ -9,6 +9,7 @@
 #include "core/grid/pipe.hpp"
 #include "core/grid/stepped_channel.hpp"
 #include "core/grid/transfinite.hpp"
+#include "tests/support/relative.hpp"
 #include <doctest/doctest.h>
 #include <numbers>
 
@@ -168,10 +169,10 @@ TEST_CASE("lines come to a surface, a line or a point that attracts them")
     };
     const Vec3 surface = distance({4.0, std::nullopt, std::nullopt}), line = distance({4.0, 4.0, std::nullopt}), point = distance({4.0, 4.0, 4.0});
     CHECK(surface.x() < 0.9 / 8);
-    CHECK(surface.y() == doctest::Approx(0.125).epsilon(1e-6));
+    CHECK(surface.y() == test::relative(0.125).epsilon(1e-6));
     CHECK(line.x() < 0.95 / 8);
-    CHECK(line.y() == doctest::Approx(line.x()).epsilon(1e-6));
-    CHECK(line.z() == doctest::Approx(0.125).epsilon(1e-6));
+    CHECK(line.y() == test::relative(line.x()).epsilon(1e-6));
+    CHECK(line.z() == test::relative(0.125).epsilon(1e-6));
     CHECK(point.maxCoeff() < 0.98 / 8);
     CHECK(surface.x() < line.x());
     CHECK(line.x() < point.x());
@@ -210,7 +211,7 @@ TEST_CASE("a spacing at the wall of a pipe reaches all its blocks, and they stil
     const core::Mesh mesh(grid, 0, 1);
     CHECK(mesh.topology().interfaces.size() == 13 * 2);
     for (const core::BlockId b : {1, 4, 9})
-        CHECK((mesh.vertices(b)(3, 1, 8) - mesh.vertices(b)(3, 1, 7)).norm() == doctest::Approx(0.5e-3).epsilon(0.01));
+        CHECK((mesh.vertices(b)(3, 1, 8) - mesh.vertices(b)(3, 1, 7)).norm() == test::relative(0.5e-3).epsilon(0.01));
     wanted.spacings = {{"floor", 1e-3, 1.2}};
     CHECK_THROWS_WITH_AS(static_cast<void>(core::make_elliptic(grid, wanted)), doctest::Contains("no boundary of the grid is called 'floor'"),
                          core::ConfigError);
@@ -226,9 +227,9 @@ TEST_CASE("the step of a channel hands its spacing on to the open water above it
     const core::Mesh mesh(grid, 0, 1);
     CHECK(mesh.topology().interfaces.size() == 2);
     const auto &below = mesh.vertices(1), &above = mesh.vertices(2), &shallow = mesh.vertices(0);
-    CHECK((below(1, 4, 4) - below(0, 4, 4)).norm() == doctest::Approx(2e-3).epsilon(0.01));
-    CHECK((above(1, 4, 4) - above(0, 4, 4)).norm() == doctest::Approx(2e-3).epsilon(0.01));
-    CHECK((below(12, 1, 4) - below(12, 0, 4)).norm() == doctest::Approx(2e-3).epsilon(0.01));
-    CHECK((shallow(4, 1, 4) - shallow(4, 0, 4)).norm() == doctest::Approx(2e-3).epsilon(0.01));
-    CHECK((above(12, 1, 4) - above(12, 0, 4)).norm() == doctest::Approx(2e-3).epsilon(0.01)); // it goes on from the shallow floor
+    CHECK((below(1, 4, 4) - below(0, 4, 4)).norm() == test::relative(2e-3).epsilon(0.01));
+    CHECK((above(1, 4, 4) - above(0, 4, 4)).norm() == test::relative(2e-3).epsilon(0.01));
+    CHECK((below(12, 1, 4) - below(12, 0, 4)).norm() == test::relative(2e-3).epsilon(0.01));
+    CHECK((shallow(4, 1, 4) - shallow(4, 0, 4)).norm() == test::relative(2e-3).epsilon(0.01));
+    CHECK((above(12, 1, 4) - above(12, 0, 4)).norm() == test::relative(2e-3).epsilon(0.01)); // it goes on from the shallow floor
 }

@@ -4,6 +4,7 @@
 #include "core/grid/side_overlap.hpp"
 #include "core/base/random.hpp"
 #include "core/grid/box.hpp"
+#include "tests/support/relative.hpp"
 #include <doctest/doctest.h>
 #include <functional>
 #include <numbers>
@@ -147,7 +148,7 @@ TEST_CASE("the sub-faces of flat sides have the area of both, those of curved si
     const auto area = [](const Surface& surface, int n, int m) {
         return total(core::overlap({layer({{n, n, 1}, 0, 1, 0, 1, -1, 0}, surface), Side::k_high}, {layer({{m, m, 1}}, surface), Side::k_low}));
     };
-    CHECK(area(flat, 5, 7) == doctest::Approx(1).epsilon(1e-13));
+    CHECK(area(flat, 5, 7) == test::relative(1).epsilon(1e-13));
     const double exact = 4 * std::asin(0.25); // a strip of a cylinder of radius 2
     const double coarse = std::abs(area(barrel, 4, 6) - exact), fine = std::abs(area(barrel, 8, 12) - exact);
     CHECK(std::log2(coarse / fine) > 1.9);
@@ -159,10 +160,10 @@ TEST_CASE("sides that meet in part share just that part")
     const auto above = layer({{7, 3, 1}, 0.33, 0.81, 0.25, 1, 0, 1}, flat);
     const SideTiling b(above, Side::k_low);
     const SideOverlap overlap = core::overlap(a, b);
-    CHECK(total(overlap) == doctest::Approx(0.48 * 0.75).epsilon(1e-13));
+    CHECK(total(overlap) == test::relative(0.48 * 0.75).epsilon(1e-13));
     CHECK(open_part(above, b, {&overlap}) < round_off);
     const auto covered = sums(a, {&overlap}, true);
-    CHECK(covered(3, 2, 0).z() == doctest::Approx(0.07 * 0.25).epsilon(1e-13)); // from x = 0.33 to 0.4
+    CHECK(covered(3, 2, 0).z() == test::relative(0.07 * 0.25).epsilon(1e-13)); // from x = 0.33 to 0.4
     CHECK(covered(2, 2, 0).norm() == 0);
     CHECK(covered(5, 0, 0).norm() == 0);
     const SideTiling beside(layer({{4, 4, 1}, 1, 2, 0, 1, 0, 1}, flat), Side::k_low), far(layer({{4, 4, 1}}, flat), Side::k_high);

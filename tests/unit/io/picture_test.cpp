@@ -6,6 +6,7 @@
 #include "io/picture_text.hpp"
 #include "io/picture_worker.hpp"
 #include "tests/support/pipe_picture.hpp"
+#include "tests/support/relative.hpp"
 #include "tests/support/sample_state.hpp"
 
 #include <doctest/doctest.h>
@@ -42,7 +43,7 @@ TEST_CASE("a sphere covers the disc that perspective says")
     const double expected = 200.0 * std::tan(std::asin(0.1)) / std::tan(std::numbers::pi / 12.0);
     int width = 0;
     for (int x = 0; x < 400; ++x) width += red(x, 200);
-    CHECK(width == doctest::Approx(2.0 * expected).epsilon(0.02)); // one pixel at either end
+    CHECK(width == test::relative(2.0 * expected).epsilon(0.02)); // one pixel at either end
 }
 
 TEST_CASE("what is nearer hides what is behind, also where spheres overlap")
@@ -73,8 +74,8 @@ TEST_CASE("letters are drawn where they should be and have the height they shoul
                 top = std::min(top, y);
                 bottom = std::max(bottom, y);
             }
-    CHECK(bottom - top == doctest::Approx(30 * 1.11).epsilon(0.06)); // capital height and the width of the stroke
-    CHECK(io::text_width("mm", 12) == doctest::Approx(2 * io::text_width("m", 12)));
+    CHECK(bottom - top == test::relative(30 * 1.11).epsilon(0.06)); // capital height and the width of the stroke
+    CHECK(io::text_width("mm", 12) == test::relative(2 * io::text_width("m", 12)));
 }
 
 TEST_CASE("the colour map gets lighter all the way")
@@ -84,7 +85,7 @@ TEST_CASE("the colour map gets lighter all the way")
         for (const float part : io::sequential_colour(n / 50.0)) CHECK((part > 0.0f && part < 1.0f));
     CHECK(io::sequential_colour(-1.0) == io::sequential_colour(0.0));
     const io::Colour white = io::from_oklab(1.0, 0.0, 0.0);
-    for (const float part : white) CHECK(part == doctest::Approx(1.0).epsilon(1e-3));
+    for (const float part : white) CHECK(part == test::relative(1.0).epsilon(1e-3));
 }
 
 TEST_CASE("fit_camera sees every corner of the box")
@@ -137,10 +138,10 @@ TEST_CASE("a plane cuts a box of cells in faces of the right area and colour")
         }
         return sum;
     };
-    CHECK(area({0, 0, 1}) == doctest::Approx(12.0));
-    CHECK(area({1, 0, 0}) == doctest::Approx(6.0));
+    CHECK(area({0, 0, 1}) == test::relative(12.0));
+    CHECK(area({1, 0, 0}) == test::relative(6.0));
     // Through the middle, holding the i axis and tilted by 1 in 1: width 4, length 2 sqrt(2) between k = 0 and 2.
-    CHECK(area({0, 1, 1}) == doctest::Approx(4.0 * 2.0 * std::sqrt(2.0)));
+    CHECK(area({0, 1, 1}) == test::relative(4.0 * 2.0 * std::sqrt(2.0)));
 }
 
 TEST_CASE("grains in a pipe are drawn in good time")

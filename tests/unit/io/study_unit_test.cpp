@@ -3,6 +3,7 @@
 #include "core/base/error.hpp"
 #include "io/study_orders.hpp"
 #include "temporary_folder.hpp"
+#include "tests/support/relative.hpp"
 #include <cmath>
 #include <doctest/doctest.h>
 
@@ -44,8 +45,8 @@ TEST_CASE("a study runs all combinations, the last axis fastest, with the period
     REQUIRE(plan.cases.size() == 6);
     CHECK(plan.cases[1].labels == std::vector<std::string>{"8x4", "20"});
     CHECK(plan.cases[4].scene.grid.pipe->cells->across == 12);
-    CHECK(plan.cases[4].scene.run.time_step.value_or(0) == doctest::Approx(0.05));
-    CHECK(plan.cases[4].scene.run.until == doctest::Approx(2.0)); // two periods
+    CHECK(plan.cases[4].scene.run.time_step.value_or(0) == test::relative(0.05));
+    CHECK(plan.cases[4].scene.run.until == test::relative(2.0)); // two periods
 }
 
 TEST_CASE("mistakes of a study are shown with their places")
@@ -63,7 +64,7 @@ TEST_CASE("the order comes out of the differences at three unequal steps")
 {
     const auto value = [](double dt) { return 1.0 + 3.0 * std::pow(dt, 1.7); };
     const auto order = io::order_from_differences({0.3, 0.2, 0.05}, value(0.3) - value(0.2), value(0.2) - value(0.05));
-    CHECK(order.value_or(0) == doctest::Approx(1.7).epsilon(1e-6));
+    CHECK(order.value_or(0) == test::relative(1.7).epsilon(1e-6));
     CHECK_FALSE(io::order_from_differences({0.4, 0.2, 0.1}, 0.0, 1.0).has_value());
 }
 
@@ -72,7 +73,7 @@ TEST_CASE("nobody beats the front, and orders compare runs that differ in one si
     const std::vector<io::StudyRun> runs{run_with(0.2, 0.1, 4e-2, 1, {0, 0}), run_with(0.1, 0.1, 1e-2, 8, {1, 0}), run_with(0.1, 0.05, 2e-2, 16, {1, 1})};
     CHECK(io::pareto_front(runs) == std::vector<bool>{true, true, false});
     const auto orders = io::observed_orders(runs, core::Communicator::self());
-    CHECK(orders[1].h.value_or(0) == doctest::Approx(2.0));
+    CHECK(orders[1].h.value_or(0) == test::relative(2.0));
     CHECK_FALSE(orders[0].h.has_value());
     CHECK_FALSE(orders[2].h.has_value());
 }

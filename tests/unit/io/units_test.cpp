@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #include "io/units.hpp"
+#include "tests/support/relative.hpp"
 #include <doctest/doctest.h>
 
 TEST_CASE("a quantity is the double nearest to its decimal value in SI")
@@ -22,9 +23,9 @@ TEST_CASE("a quantity is the double nearest to its decimal value in SI")
 TEST_CASE("units that are no powers of ten convert too")
 {
     const io::Units units;
-    CHECK(units.read("2 hours", "s").value == doctest::Approx(7200.0).epsilon(1e-14)); // one rounding
-    CHECK(units.read("1 inch", "m").value == doctest::Approx(0.0254).epsilon(1e-14));
-    CHECK(units.read("50 %", "1").value == doctest::Approx(0.5).epsilon(1e-14));
+    CHECK(units.read("2 hours", "s").value == test::relative(7200.0).epsilon(1e-14)); // one rounding
+    CHECK(units.read("1 inch", "m").value == test::relative(0.0254).epsilon(1e-14));
+    CHECK(units.read("50 %", "1").value == test::relative(0.5).epsilon(1e-14));
 }
 
 TEST_CASE("a quantity without its unit, or with a wrong one, is refused and told which unit is needed")

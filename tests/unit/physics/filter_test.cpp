@@ -3,6 +3,7 @@
 #include "core/base/error.hpp"
 #include "physics/coupling/filter.hpp"
 #include "tests/support/conduction_boxes.hpp"
+#include "tests/support/relative.hpp"
 #include <doctest/doctest.h>
 #include <numbers>
 
@@ -125,7 +126,7 @@ TEST_CASE("the filter of explicit steps is their product with the assembled Lapl
         expected -= share / largest * (a * expected);
         sum += share;
     }
-    CHECK(sum == doctest::Approx(total).epsilon(1e-14));
+    CHECK(sum == test::relative(total).epsilon(1e-14));
     c.apply(field);
     // Round-off of some ten steps.
     CHECK((c.vector(field[0]) - root.cwiseProduct(expected)).cwiseAbs().maxCoeff() < 1e-13);
@@ -161,9 +162,9 @@ TEST_CASE("a filled cell becomes a Gaussian of the bandwidth and goes below zero
             });
         MESSAGE("degree " << filter.degree() << ", lowest " << lowest << ", deviation from the Gaussian " << worst / peak);
         CHECK(lowest >= (most_steps == 0 ? -1e-6 : 0.0));
-        CHECK(sum == doctest::Approx(1.0).epsilon(1e-13));
+        CHECK(sum == test::relative(1.0).epsilon(1e-13));
         // The second moment of the discrete kernel is exactly bandwidth^2 / 2, but for what walls reflect; the cut of the Chebyshev series shows.
-        CHECK(moment == doctest::Approx(0.5 * bandwidth * bandwidth).epsilon(most_steps == 0 ? 1e-3 : 1e-6));
+        CHECK(moment == test::relative(0.5 * bandwidth * bandwidth).epsilon(most_steps == 0 ? 1e-3 : 1e-6));
         // The discrete kernel differs from the Gaussian by terms of (h / bandwidth)^2 = 1/16.
         CHECK(worst < 0.0625 * 1.5 * peak);
     }

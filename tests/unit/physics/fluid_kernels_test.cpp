@@ -8,6 +8,7 @@
 #include "physics/fluid/gradient.hpp"
 #include "physics/fluid/hermite.hpp"
 #include "physics/coupling/time_step.hpp"
+#include "tests/support/relative.hpp"
 #include <complex>
 #include <doctest/doctest.h>
 #include <numbers>
@@ -21,7 +22,7 @@ TEST_CASE("Hermite weights interpolate cubics exactly on either side")
         double w[7], sum = 0;
         physics::hermite_weights(s, w, 1);
         for (int p = 0; p < 7; ++p) sum += w[p] * cubic(p - 3);
-        CHECK(sum == doctest::Approx(cubic(s)).epsilon(1e-14));
+        CHECK(sum == test::relative(cubic(s)).epsilon(1e-14));
     }
 }
 
@@ -79,7 +80,7 @@ TEST_CASE("the impulse of a harmonic drive is the integral of its acceleration")
     const physics::Drive drive = physics::HarmonicDrive{Vec3(3, 0, 0), 2.0, 0.4};
     const double t = 0.7, dt = 0.9;
     const double exact = 3 / 2.0 * (std::sin(2 * (t + dt) + 0.4) - std::sin(2 * t + 0.4));
-    CHECK(dt * physics::mean_acceleration(drive, {}, t, dt).x() == doctest::Approx(exact).epsilon(1e-14));
+    CHECK(dt * physics::mean_acceleration(drive, {}, t, dt).x() == test::relative(exact).epsilon(1e-14));
 }
 
 TEST_CASE("a reversing drive turns when the axis has reached its speed, in either direction")
@@ -98,12 +99,12 @@ TEST_CASE("the time step is bound by the tightest limit")
 {
     const physics::TimeStepOptions options{.largest = 1.0, .displacement = 0.8, .distortion = 0.5};
     CHECK(physics::time_step_limit({0, 0}, options).binding == "largest");
-    CHECK(physics::time_step_limit({4, 1}, options).dt == doctest::Approx(0.2));
+    CHECK(physics::time_step_limit({4, 1}, options).dt == test::relative(0.2));
     CHECK(physics::time_step_limit({4, 5}, options).binding == "distortion");
     // From rest, 0.8 cells at 5 cells/s2: 5 dt2 = 0.8.
-    CHECK(physics::time_step_limit({0, 0, 5}, options).dt == doctest::Approx(0.4));
+    CHECK(physics::time_step_limit({0, 0, 5}, options).dt == test::relative(0.4));
     // A quarter of a width of 4 mm at 0.1 m/s; from rest under 10 m/s2: 10 dt2 = 1 mm.
-    CHECK(physics::grain_move_limit(0.25, 4e-3, 0.1, 0.0) == doctest::Approx(0.01));
-    CHECK(physics::grain_move_limit(0.25, 4e-3, 0.0, 10.0) == doctest::Approx(0.01));
+    CHECK(physics::grain_move_limit(0.25, 4e-3, 0.1, 0.0) == test::relative(0.01));
+    CHECK(physics::grain_move_limit(0.25, 4e-3, 0.0, 10.0) == test::relative(0.01));
     CHECK(std::isinf(physics::grain_move_limit(0.25, 0.0, 1.0, 10.0)));
 }

@@ -5,6 +5,7 @@
 #include "io/momentum_ledger.hpp"
 #include "io/scene_reader.hpp"
 #include "io/world.hpp"
+#include "tests/support/relative.hpp"
 #include <cstdio>
 #include <doctest/doctest.h>
 
@@ -133,7 +134,7 @@ TEST_CASE("lift pushes the fluid as it pushes the grains, and torque is recorded
         for (int i = 0; i < p.owned; ++i) spin += p.inertia[std::size_t(i)] * p.spin[2][std::size_t(i)];
         // All change of spin is the fluid's couple or the contacts': a sum of some hundred rounded terms.
         CHECK(couple < 0);
-        CHECK(spin == doctest::Approx(couple + contact).epsilon(1e-10));
+        CHECK(spin == test::relative(couple + contact).epsilon(1e-10));
         return books.totals().grains;
     };
     CHECK((run("on") - run("off")).norm() > 1e-9); // lift does act [N s]

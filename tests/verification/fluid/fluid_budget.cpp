@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Momentum is accounted for, and steady flow in the pipe has the friction it must have (NUMERICS C1.6).
 #include "tests/support/fluid_run.hpp"
+#include "tests/support/relative.hpp"
 #include <doctest/doctest.h>
 
 namespace {
@@ -29,7 +30,7 @@ TEST_CASE("drive, walls and the defect of advection explain all change of moment
         const auto budget = run.budget();
         // Sums over 3e3 cells in double precision, and what the solver leaves of the viscous change.
         CHECK(budget.defect().norm() < 1e-12 * momentum + 1e-8 * budget.viscosity.norm());
-        CHECK(budget.drive.x() == doctest::Approx(0.05 * 0.5 * momentum));
+        CHECK(budget.drive.x() == test::relative(0.05 * 0.5 * momentum));
         // The interpolation is of third order: at 12 cells across it loses less than half a percent of momentum in a step.
         CHECK(budget.advection.norm() < 5e-3 * momentum);
         CHECK(budget.viscosity.x() < 0);
@@ -50,9 +51,9 @@ TEST_CASE("Poiseuille flow on 16 cells across has its flow rate within 1 % and f
     }
     // Mean velocity g R^2 / (8 nu) = 1; the polygon of the wall has 32 sides.
     const double mean = run.mean([&](core::LocalBlock b, int i, int j, int k) { return run.velocity(b, i, j, k).x(); });
-    CHECK(mean == doctest::Approx(1).epsilon(0.01));
+    CHECK(mean == test::relative(1).epsilon(0.01));
     const auto budget = run.budget();
     // Friction is what goes through the walls; see the solver's tolerance above.
-    CHECK(budget.viscosity.x() == doctest::Approx(-budget.drive.x()).epsilon(1e-6));
+    CHECK(budget.viscosity.x() == test::relative(-budget.drive.x()).epsilon(1e-6));
     MESSAGE("mean velocity ", mean, ", iterations ", run.fluid().viscosity_system()->iterations());
 }

@@ -3,6 +3,7 @@
 // Stiff and extreme cases of the fluid alone (NUMERICS D18, D23, D28).
 #include "tests/support/fluid_run.hpp"
 #include <doctest/doctest.h>
+#include <numbers>
 
 namespace {
 
@@ -55,7 +56,8 @@ TEST_CASE("an impulsive reversal does not ring, however stiff the viscosity")
         CHECK(at_wall() <= last + 1e-9 * before);
         last = at_wall();
     }
-    CHECK(last == doctest::Approx(-before).epsilon(1e-3));
+    // Of the slowest wave of the change, twice the flow, exp(-pi^2 nu t) is left: 0.3 %.
+    CHECK(std::abs(last / before + 1) < 2 * std::exp(-std::numbers::pi * std::numbers::pi * 60 * dt));
 }
 
 TEST_CASE("viscosity 1e5 times stiffer than explicit steps allow leads to rest at once")

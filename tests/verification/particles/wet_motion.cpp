@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Drag, loads and contact impulses of particles in a frozen fluid; materials by species.
 #include "tests/support/particle_scene.hpp"
+#include "tests/support/relative.hpp"
 #include <doctest/doctest.h>
 
 using test::Vec3;
@@ -26,9 +27,9 @@ TEST_CASE("drag and a constant load act exactly, however long the step")
         const double kept = std::exp(-0.1 * load.drag / (p.mass[0] + load.added_mass));
         const double spin_kept = std::exp(-0.1 * load.spin_drag / p.inertia[0]);
         // rounding of up to 10,000 steps
-        CHECK(p.velocity[0][0] == doctest::Approx(0.3 * (1 - kept)).epsilon(1e-11));
-        CHECK(p.velocity[2][0] == doctest::Approx(-2e-5 / 3e-4 * (1 - kept)).epsilon(1e-11));
-        CHECK(p.spin[1][0] == doctest::Approx(5 * (1 - spin_kept)).epsilon(1e-11));
+        CHECK(p.velocity[0][0] == test::relative(0.3 * (1 - kept)).epsilon(1e-11));
+        CHECK(p.velocity[2][0] == test::relative(-2e-5 / 3e-4 * (1 - kept)).epsilon(1e-11));
+        CHECK(p.spin[1][0] == test::relative(5 * (1 - spin_kept)).epsilon(1e-11));
     }
 }
 
@@ -43,9 +44,9 @@ TEST_CASE("without drag a wet particle moves as a dry one")
     physics::set_wet_load(wet.particles, columns, 0, {.force = Vec3(0, 0, -weight)}, step);
     test::run(dry, Vec3(0, 0, -g), 20000);
     physics::settle(wet, physics::WetMotion{columns}, 20000, core::SerialTeam{});
-    CHECK(wet.particles.position[2][0] == doctest::Approx(dry.particles.position[2][0]).epsilon(1e-9)); // rounding through bounces
+    CHECK(wet.particles.position[2][0] == test::relative(dry.particles.position[2][0]).epsilon(1e-9)); // rounding through bounces
     // at rest after 0.2 s: contacts have given back all that gravity gave
-    CHECK(wet.particles.columns[std::size_t(columns.impulse + 2)][0] == doctest::Approx(weight * 0.2).epsilon(1e-6));
+    CHECK(wet.particles.columns[std::size_t(columns.impulse + 2)][0] == test::relative(weight * 0.2).epsilon(1e-6));
 }
 
 TEST_CASE("contact impulses of a closed box of particles sum to zero")
@@ -98,6 +99,6 @@ TEST_CASE("species with other materials meet by their own laws")
     }
     test::run(dynamics, Vec3::Zero(), 5000);
     const auto state = test::state(dynamics.particles);
-    CHECK(state.at(1)[3] == doctest::Approx(0.5 * 0.9).epsilon(2e-3)); // first order in the step
-    CHECK(state.at(3)[3] == doctest::Approx(0.5 * 0.3).epsilon(2e-3));
+    CHECK(state.at(1)[3] == test::relative(0.5 * 0.9).epsilon(2e-3)); // first order in the step
+    CHECK(state.at(3)[3] == test::relative(0.5 * 0.3).epsilon(2e-3));
 }

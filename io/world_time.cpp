@@ -21,10 +21,8 @@ physics::TimeStepLimit World::limit_of_step() const
     if (scene_.fluid->drive) pull *= std::abs(scene_.fluid->drive->pressure_gradient) / scene_.fluid->material.density;
     if (grains_) pull += gravity_of(scene_).cwiseAbs();
     physics::TransportRates rates;
-    for (core::LocalBlock b = 0; b < mesh_.own_count(); ++b) {
-        const auto r = physics::transport_rates(mesh_.geometry(b), fluid_->state().velocity.on(b), pull);
-        rates = {std::max(rates.displacement, r.displacement), std::max(rates.distortion, r.distortion), std::max(rates.growth, r.growth)};
-    }
+    for (core::LocalBlock b = 0; b < mesh_.own_count(); ++b)
+        rates.widen(physics::transport_rates(mesh_.geometry(b), fluid_->state().velocity.on(b), pull));
     std::array all{rates.displacement, rates.distortion, rates.growth, grains_ ? physics::largest_speed(grains_->particles) : 0.0};
     ranks_.max(all);
     physics::TimeStepOptions options;

@@ -3,6 +3,7 @@
 #include "core/comm/halo.hpp"
 #include <algorithm>
 #include <cstring>
+#include <map>
 
 namespace core {
 namespace {
@@ -40,6 +41,13 @@ std::vector<T> from_bytes(const std::vector<std::byte>& bytes)
     return items;
 }
 
+void copy_run(const double* from, int from_step, double* to, int to_step, int count)
+{
+    if (from_step == 1 && to_step == 1) std::copy_n(from, count, to);
+    else
+        for (int n = 0; n < count; ++n) to[std::ptrdiff_t(n) * to_step] = from[std::ptrdiff_t(n) * from_step];
+}
+
 /// A halo value on its way home, with what fixes its place in the sum.
 struct HomeBound {
     CellPlace home;
@@ -60,18 +68,36 @@ HaloExchange::HaloExchange(const Mesh& mesh, const Communicator& communicator, i
     find_copies();
 }
 
+/// Lengthens the last row if it goes on with the same steps, or begins another.
+void HaloExchange::Copies::add(std::ptrdiff_t to, std::ptrdiff_t from)
+{
+    if (!runs.empty()) {
+        Run& last = runs.back();
+        if (last.count == 1) {
+            last.to_step = int(to - last.to);
+            last.from_step = int(from - last.from);
+        }
+        if (to == last.to + last.count * std::ptrdiff_t(last.to_step) && from == last.from + last.count * std::ptrdiff_t(last.from_step)) {
+            ++last.count;
+            return;
+        }
+    }
+    runs.push_back({to, from, 1, 1, 1});
+}
+
 void HaloExchange::find_copies()
 {
+    std::map<std::pair<LocalBlock, LocalBlock>, Copies> copies;
     for (const Row& row : rows_) {
         const Source& source = sources_[std::size_t(row.first)];
         if (row.last - row.first > 1 || source.rank >= 0) {
             mixed_rows_.push_back(row);
             continue;
         }
-        const bool same = !copies_.empty() && copies_.back().target == row.target.block && copies_.back().source == source.place.block;
-        if (!same) copies_.push_back({row.target.block, source.place.block, {}});
-        copies_.back().cells.push_back({row.target.offset, source.place.offset});
+        Copies& between = copies.try_emplace({row.target.block, source.place.block}, Copies{row.target.block, source.place.block, {}}).first->second;
+        between.add(row.target.offset, source.place.offset);
     }
+    for (auto& [blocks, between] : copies) copies_.push_back(std::move(between));
 }
 
 void HaloExchange::request(const Mesh& mesh, const Communicator& communicator, int field_halo, int width, HaloShape shape)
@@ -162,7 +188,7 @@ void HaloExchange::finish_arrays(const Arrays& arrays, const Flight& flight) con
         for (std::size_t a = 0; a < count; ++a) {
             double* to = arrays[std::size_t(block.target)][a];
             const double* from = arrays[std::size_t(block.source)][a];
-            for (const auto& cell : block.cells) to[cell.to] = from[cell.from];
+            for (const auto& run : block.runs) copy_run(from + run.from, run.from_step, to + run.to, run.to_step, run.count);
         }
     for (const Row& row : mixed_rows_) {
         const auto& target = arrays[std::size_t(row.target.block)];
@@ -196,17 +222,19 @@ void HaloExchange::start_transpose_arrays(const Arrays& arrays, Flight& flight, 
 void HaloExchange::finish_transpose_arrays(const Arrays& arrays, const Flight& flight) const
 {
     const std::size_t count = arrays.empty() ? 0 : arrays[0].size();
-    for (const Home& home : homes_)
-        for (std::size_t a = 0; a < count; ++a) {
-            double& sum = arrays[std::size_t(home.target.block)][a][home.target.offset];
-            for (int n = home.first; n < home.last; ++n) {
-                const Contribution& c = contributions_[std::size_t(n)];
-                sum += c.weight * (c.rank < 0 ? arrays[std::size_t(c.place.block)][a][c.place.offset]
-                                              : flight.received[std::size_t(c.rank)][std::size_t(c.slot) * count + a]);
-            }
+    for (const Home& home : homes_) {
+        const auto& target = arrays[std::size_t(home.target.block)];
+        for (int n = home.first; n < home.last; ++n) {
+            const Contribution& c = contributions_[std::size_t(n)];
+            const auto add = [&](auto value) {
+                for (std::size_t a = 0; a < count; ++a) target[a][home.target.offset] += c.weight * value(a);
+            };
+            if (c.rank < 0) add([&from = arrays[std::size_t(c.place.block)], at = c.place.offset](std::size_t a) { return from[a][at]; });
+            else add([values = flight.received[std::size_t(c.rank)].data() + std::size_t(c.slot) * count](std::size_t a) { return values[a]; });
         }
+    }
     for (const Row& row : rows_)
-        for (std::size_t a = 0; a < count; ++a) arrays[std::size_t(row.target.block)][a][row.target.offset] = 0;
+        for (double* array : arrays[std::size_t(row.target.block)]) array[row.target.offset] = 0;
 }
 
 } // namespace core

@@ -92,13 +92,16 @@ private:
         CellPlace target;
         int first, last; ///< in sources_
     };
-    /// Halo cells of one block that are copies of cells of another block of this rank.
+    /// Halo cells of one block that are copies of cells of another block of this rank, as rows at equal steps.
     struct Copies {
         LocalBlock target, source;
-        struct Offsets {
+        struct Run {
             std::ptrdiff_t to, from;
+            int to_step, from_step, count;
         };
-        std::vector<Offsets> cells;
+        std::vector<Run> runs;
+
+        void add(std::ptrdiff_t to, std::ptrdiff_t from);
     };
 
     template <std::size_t N>
@@ -114,7 +117,7 @@ private:
     Communicator communicator_;
     std::vector<Row> rows_;
     std::vector<Row> mixed_rows_;   ///< those of rows_ with a source on another rank or several sources
-    std::vector<Copies> copies_;    ///< the others
+    std::vector<Copies> copies_;    ///< the others, by target and source
     std::vector<Source> sources_;
     std::vector<std::vector<CellPlace>> wanted_from_here_; ///< [rank]: cells whose values that rank asks for
     std::vector<std::ptrdiff_t> wanted_there_;             ///< [rank]: number of values this rank asks for

@@ -40,7 +40,7 @@ int run(const Arguments& a, Invocation invocation)
     const auto runs = run_study(plan, ranks, resources, [&](const StudyRun& one) { say(progress_text(plan, one)); });
     const StudyReport report = report_of(plan, runs, ranks);
     on_rank_zero<core::FileError>(ranks, [&] { write_report(report, output_folder(a)); });
-    say("\n" + table_text(report) + "written to " + output_folder(a).string());
+    say(fmt::format("\n{}written to {}", table_text(report), output_folder(a).string()));
     return exit_success;
 }
 

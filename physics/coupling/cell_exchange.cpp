@@ -2,8 +2,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "physics/coupling/cell_exchange.hpp"
 #include "physics/coupling/predictor.hpp"
+#include "physics/fluid/cell_loops.hpp"
 
 namespace physics {
+
+void mixture_flux(CellVectors velocity, const GrainSumViews& sums, core::VectorView<double> flux)
+{
+    for (std::size_t c = 0; c < 3; ++c)
+        map_cells(flux.component(int(c)), [](double u, double solid, double carried) { return (1.0 - solid) * u + carried; },
+                  velocity.component(int(c)), sums[sum_solid], sums[sum_flux + c]);
+}
+
+void fluid_velocity(CellVectors flux, const GrainSumViews& sums, core::VectorView<double> velocity)
+{
+    for (std::size_t c = 0; c < 3; ++c)
+        map_cells(velocity.component(int(c)), [](double q, double solid, double carried) { return (q - carried) / (1.0 - solid); },
+                  flux.component(int(c)), sums[sum_solid], sums[sum_flux + c]);
+}
 
 void predicted_velocity_change(const FluidOwn& own, const GrainSumViews& sums, CellVectors ledger, CellVectors miss,
                                core::VectorView<double> change)

@@ -20,6 +20,12 @@ struct FluidOwn {
     double dt;                     ///< [s]
 };
 
+/// Volume flux density of the mixture, phi u + put(V v) [m/s].
+/// @param velocity  Of the fluid [m/s].
+void mixture_flux(CellVectors velocity, const GrainSumViews& sums, core::VectorView<double> flux);
+/// Its inverse: the velocity of the fluid that makes a flux of the mixture what it is; both may be the same array.
+void fluid_velocity(CellVectors flux, const GrainSumViews& sums, core::VectorView<double> velocity);
+
 /// du of the predictor.
 void predicted_velocity_change(const FluidOwn& own, const GrainSumViews& sums, CellVectors ledger, CellVectors miss,
                                core::VectorView<double> change);

@@ -4,7 +4,6 @@
 #include "core/grid/halo_map.hpp"
 #include "physics/fluid/hermite.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 
 namespace physics {
@@ -23,6 +22,12 @@ struct Weights {
     {
         bool any = false;
         for (int l = 0; l < cells; ++l) any |= w[point][l] != 0;
+        return any;
+    }
+    [[nodiscard]] std::array<bool, Points> used_points(int cells) const
+    {
+        std::array<bool, Points> any;
+        for (int p = 0; p < Points; ++p) any[std::size_t(p)] = used(p, cells);
         return any;
     }
     /// Does every cell use the middle point alone?
@@ -75,11 +80,12 @@ public:
     {
         constexpr int middle = Points / 2;
         const bool along_i = !i.middle_only(cells);
+        const std::array<bool, Points> rows = j.used_points(cells), layers = k.used_points(cells);
         for (auto& component : sum.value) std::fill_n(component, cells, 0.0);
         for (int dk = 0; dk < Points; ++dk) {
-            if (!k.used(dk, cells)) continue;
+            if (!layers[std::size_t(dk)]) continue;
             for (int dj = 0; dj < Points; ++dj) {
-                if (!j.used(dj, cells)) continue;
+                if (!rows[std::size_t(dj)]) continue;
                 const std::ptrdiff_t row = q.x.offset(first.i, first.j + dj - middle, first.k + dk - middle);
                 const double *x = &q.x.at(row), *y = &q.y.at(row), *z = &q.z.at(row);
                 if (along_i) add_row(x, y, z, j.w[dj], k.w[dk], cells, sum);
@@ -120,6 +126,22 @@ private:
     }
 };
 
+/// Row pointers of d(xi_m)/d(x_j): the first letter is m, the second j.
+struct InverseJacobianRow {
+    const double *xx, *xy, *xz, *yx, *yy, *yz, *zx, *zy, *zz;
+    InverseJacobianRow(const core::BlockGeometry& g, int j, int k)
+        : xx(at(g, 0, 0, j, k)), xy(at(g, 0, 1, j, k)), xz(at(g, 0, 2, j, k)), yx(at(g, 1, 0, j, k)), yy(at(g, 1, 1, j, k)),
+          yz(at(g, 1, 2, j, k)), zx(at(g, 2, 0, j, k)), zy(at(g, 2, 1, j, k)), zz(at(g, 2, 2, j, k))
+    {
+    }
+
+private:
+    static const double* at(const core::BlockGeometry& g, std::size_t m, std::size_t n, int j, int k)
+    {
+        return g.inverse_jacobian[m][n].view().row(j, k);
+    }
+};
+
 /// Calls body(first cell, number of cells) for every chunk of every row.
 template <class Body>
 void for_each_chunk(core::Extents n, Body body)
@@ -133,37 +155,53 @@ void for_each_chunk(core::Extents n, Body body)
 
 void transport_velocity(const core::BlockGeometry& geometry, core::FaceView<const double> flux, core::VectorView<double> out)
 {
-    core::for_each_cell(geometry.cells, [&](int i, int j, int k) {
-        const double twice = 2 * geometry.volume(i, j, k);
-        const core::Vec3 rates((flux.i(i, j, k) + flux.i(i + 1, j, k)) / twice, (flux.j(i, j, k) + flux.j(i, j + 1, k)) / twice,
-                               (flux.k(i, j, k) + flux.k(i, j, k + 1)) / twice);
-        Eigen::Matrix3d inverse_jacobian;
-        for (int m = 0; m < 3; ++m)
-            for (int n = 0; n < 3; ++n) inverse_jacobian(m, n) = geometry.inverse_jacobian[std::size_t(m)][std::size_t(n)](i, j, k);
-        const core::Vec3 velocity = inverse_jacobian.inverse() * rates;
-        for (int c = 0; c < 3; ++c) out.component(c)(i, j, k) = velocity[c];
-    });
+    const core::Extents n = geometry.cells;
+    for (int k = 0; k < n.nk; ++k)
+        for (int j = 0; j < n.nj; ++j) {
+            const auto row = [&](const auto& view) { return view.row(j, k); };
+            const InverseJacobianRow a(geometry, j, k);
+            const double *volume = row(geometry.volume.view()), *fi = row(flux.i), *low_j = row(flux.j), *high_j = flux.j.row(j + 1, k),
+                         *low_k = row(flux.k), *high_k = flux.k.row(j, k + 1);
+            double *x = row(out.x), *y = row(out.y), *z = row(out.z);
+#pragma omp simd
+            for (int i = 0; i < n.ni; ++i) {
+                // Cramer's rule for A w = rates, A the inverse Jacobian.
+                const double xx = a.yy[i] * a.zz[i] - a.yz[i] * a.zy[i], xy = a.yz[i] * a.zx[i] - a.yx[i] * a.zz[i],
+                             xz = a.yx[i] * a.zy[i] - a.yy[i] * a.zx[i];
+                const double yx = a.xz[i] * a.zy[i] - a.xy[i] * a.zz[i], yy = a.xx[i] * a.zz[i] - a.xz[i] * a.zx[i],
+                             yz = a.xy[i] * a.zx[i] - a.xx[i] * a.zy[i];
+                const double zx = a.xy[i] * a.yz[i] - a.xz[i] * a.yy[i], zy = a.xz[i] * a.yx[i] - a.xx[i] * a.yz[i],
+                             zz = a.xx[i] * a.yy[i] - a.xy[i] * a.yx[i];
+                const double scale = 0.5 / (volume[i] * (a.xx[i] * xx + a.xy[i] * xy + a.xz[i] * xz));
+                const double p = scale * (fi[i] + fi[i + 1]), q = scale * (low_j[i] + high_j[i]), r = scale * (low_k[i] + high_k[i]);
+                x[i] = xx * p + yx * q + zx * r;
+                y[i] = xy * p + yy * q + zy * r;
+                z[i] = xz * p + yz * q + zz * r;
+            }
+        }
 }
 
 void index_velocity(const core::BlockGeometry& geometry, core::VectorView<const double> transport, const Extrapolation& change,
                     core::VectorView<double> index_velocity)
 {
     const core::Extents n = geometry.cells;
-    for (int m = 0; m < 3; ++m) {
-        const auto& inverse = geometry.inverse_jacobian[std::size_t(m)];
-        const auto out = index_velocity.component(m);
-        for (int k = -1; k <= n.nk; ++k)
-            for (int j = -1; j <= n.nj; ++j) {
-                double* o = out.row(j, k);
-                std::fill(o - 1, o + n.ni + 1, 0.0);
-                for (int c = 0; c < 3; ++c) {
-                    const double *a = inverse[std::size_t(c)].view().row(j, k), *w = transport.component(c).row(j, k);
-                    const double *u = change.velocity.component(c).row(j, k), *before = change.before.component(c).row(j, k);
+    for (int k = -1; k <= n.nk; ++k)
+        for (int j = -1; j <= n.nj; ++j) {
+            const auto row = [&](const auto& view) { return view.row(j, k); };
+            const auto now = change.velocity, old = change.before;
+            const InverseJacobianRow a(geometry, j, k);
+            const double *wx = row(transport.x), *wy = row(transport.y), *wz = row(transport.z), *ux = row(now.x), *uy = row(now.y),
+                         *uz = row(now.z), *bx = row(old.x), *by = row(old.y), *bz = row(old.z);
+            double *x = row(index_velocity.x), *y = row(index_velocity.y), *z = row(index_velocity.z);
 #pragma omp simd
-                    for (int i = -1; i <= n.ni; ++i) o[i] += a[i] * (w[i] + change.weight * (u[i] - before[i]));
-                }
+            for (int i = -1; i <= n.ni; ++i) {
+                const double p = wx[i] + change.weight * (ux[i] - bx[i]), q = wy[i] + change.weight * (uy[i] - by[i]),
+                             r = wz[i] + change.weight * (uz[i] - bz[i]);
+                x[i] = a.xx[i] * p + a.xy[i] * q + a.xz[i] * r;
+                y[i] = a.yx[i] * p + a.yy[i] * q + a.yz[i] * r;
+                z[i] = a.zx[i] * p + a.zy[i] * q + a.zz[i] * r;
             }
-    }
+        }
 }
 
 void trajectories(core::VectorView<const double> index_velocity, double dt, core::VectorView<double> displacement)

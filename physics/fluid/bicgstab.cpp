@@ -22,6 +22,20 @@ BiCgVectors bicg_vectors(KrylovWorkspace& work)
     return {w[0], w[1], w[2], w[3], w[4], w[5]};
 }
 
+void start_directions(const core::Team& team, const KrylovWorkspace& work, const BiCgVectors& w)
+{
+    detail::for_cells(team, *work.layout, [s = w.shadow.data(), p = w.p.data(), r = w.r.data()](Flat c) {
+        s[c] = r[c];
+        p[c] = 0.0;
+    });
+}
+
+/// Sums whose ratio is omega: the residual becomes least along its own image.
+void form_damping_sums(const core::Team& team, KrylovWorkspace& work, const BiCgVectors& w)
+{
+    work.sums.form(team, [r = w.r.data(), t = w.t.data()](Flat b, Flat e) { return std::array{dot(b, e, t, r), dot(b, e, t, t)}; });
+}
+
 /// p = r + beta (p - omega v)
 void new_direction(const core::Team& team, const KrylovWorkspace& work, const BiCgVectors& w, double beta, double omega)
 {
@@ -69,11 +83,10 @@ KrylovProcess bicgstab(const core::Team& team, KrylovWorkspace& work, const Kryl
             break;
         }
         if (convergence.reached(norm)) break;
-        detail::for_cells(team, *work.layout, [s = w.shadow.data(), p = w.p.data(), r = w.r.data()](Flat c) {
-            s[c] = r[c];
-            p[c] = 0.0;
-        });
+        double largest = norm;
+        start_directions(team, work, w);
         while (norm > convergence.target()) {
+            ++report.iterations;
             new_direction(team, work, w, beta, omega);
             co_yield KrylovDemand{Kind::precondition, w.p, w.correction};
             co_yield KrylovDemand{Kind::apply, w.correction, w.v};
@@ -82,20 +95,25 @@ KrylovProcess bicgstab(const core::Team& team, KrylovWorkspace& work, const Kryl
             if (sums.total(0) == 0.0) break;
             const double alpha = rho / sums.total(0);
             step(team, work, w, alpha, w.v, x);
+            co_yield sum;
+            norm = std::sqrt(sums.total(0));
+            largest = std::max(largest, norm);
+            if (norm <= convergence.target()) break; // half an iteration does
             co_yield KrylovDemand{Kind::precondition, w.r, w.correction};
             co_yield KrylovDemand{Kind::apply, w.correction, w.t};
-            sums.form(team, [r = w.r.data(), t = w.t.data()](Flat b, Flat e) { return std::array{dot(b, e, t, r), dot(b, e, t, t)}; });
+            form_damping_sums(team, work, w);
             co_yield sum;
             omega = sums.total(1) > 0.0 ? sums.total(0) / sums.total(1) : 0.0;
             step(team, work, w, omega, w.t, x);
             co_yield sum;
-            ++report.iterations;
             norm = std::sqrt(sums.total(0));
             const double next_rho = sums.total(1);
             if (norm > convergence.target() && !convergence.reached(norm) && (omega == 0.0 || next_rho == 0.0)) break;
             beta = next_rho / rho * (alpha / omega);
             rho = next_rho;
+            largest = std::max(largest, norm);
         }
+        if (convergence.trusted(norm, largest)) break;
     }
     if (options.singular) {
         detail::form_sum(team, sums, x.data());

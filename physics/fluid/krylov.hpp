@@ -28,7 +28,7 @@ struct KrylovReport {
     int iterations = 0;
     double right_norm = 0.0;
     double defect = 0.0;           ///< net source that a singular system cannot take, over the sum of magnitudes
-    std::vector<double> residuals; ///< 2-norms, the first before any iteration, the last computed from the solution
+    std::vector<double> residuals; ///< 2-norms, the first before any iteration; the last of the solution, to round-off
 };
 
 /// What a solver asks for.

@@ -28,11 +28,12 @@ struct Ranges {
         const auto [di, dj, dk] = along;
 #pragma omp simd
         for (int i = 0; i < cells; ++i) {
-            const bool upstream = j * dj[i] <= 0 && k * dk[i] <= 0;
-            const double beside = di[i] > 0 ? x[i - 1] : x[i + 1];
-            const double low = upstream ? std::min(x[i], beside) : least[i], high = upstream ? std::max(x[i], beside) : most[i];
-            least[i] = std::min(least[i], low);
-            most[i] = std::max(most[i], high);
+            const double here = x[i], before = x[i - 1], behind = x[i + 1]; // all read, so that nothing branches
+            const double beside = di[i] > 0 ? before : behind;
+            const double low = std::min(here, beside), high = std::max(here, beside);
+            const bool upstream = (j * dj[i] <= 0) & (k * dk[i] <= 0);
+            least[i] = upstream ? std::min(least[i], low) : least[i];
+            most[i] = upstream ? std::max(most[i], high) : most[i];
         }
     }
     void clip(double* value) const

@@ -3,6 +3,7 @@
 #pragma once
 // How long a step may be.
 #include "core/grid/geometry.hpp"
+#include <algorithm>
 #include <limits>
 #include <string_view>
 
@@ -13,6 +14,14 @@ struct TransportRates {
     double displacement = 0; ///< cells per second, along one axis
     double distortion = 0;   ///< difference of that between neighbouring cells [1/s]
     double growth = 0;       ///< of displacement by what pulls the fluid [cells/s2]
+
+    /// Takes in the rates of another block.
+    void widen(const TransportRates& other)
+    {
+        displacement = std::max(displacement, other.displacement);
+        distortion = std::max(distortion, other.distortion);
+        growth = std::max(growth, other.growth);
+    }
 };
 
 /// From the interior alone: a function of the state, without messages.

@@ -4,7 +4,6 @@
 #include "physics/fluid/advection_lcsi.hpp"
 #include "physics/fluid/cell_loops.hpp"
 #include "physics/fluid/flux_memory.hpp"
-#include "physics/fluid/gradient.hpp"
 #include "physics/fluid/projection.hpp"
 #include "physics/steps/coupled_step.hpp"
 
@@ -33,9 +32,7 @@ void CoupledStep::declare_transport(tasks::StageGraph& graph)
         "transport velocity beside grains",
         [this](LocalBlock b, FaceView<const double> flux, GrainSumViews sums, VectorView<double> transport) {
             transport_velocity(geometry(b), flux, transport);
-            const auto of_fluid = [](double mixture, double solid, double solid_flux) { return (mixture - solid_flux) / (1.0 - solid); };
-            for (int c = 0; c < 3; ++c)
-                map_cells(transport.component(c), of_fluid, transport.component(c), sums[sum_solid], sums[sum_flux + std::size_t(c)]);
+            fluid_velocity(transport, sums, transport);
         },
         reads(fluid_.state().flux, fields_.sums), writes(fluid_.fields().transport));
 }
@@ -44,24 +41,13 @@ void CoupledStep::declare_transport(tasks::StageGraph& graph)
 void CoupledStep::declare_memory(tasks::StageGraph& graph)
 {
     auto& f = fields_;
-    auto& fluid = fluid_.fields();
-    auto& state = fluid_.state();
     graph.each_block(
         "volume flux of the last step",
         [](LocalBlock, Vectors u, GrainSumViews sums, const FluidClock& clock, VectorView<double> carried) {
-            if (clock.memory() == 0) return;
-            const auto mixture = [](double v, double solid, double flux) { return (1.0 - solid) * v + flux; };
-            for (int c = 0; c < 3; ++c)
-                map_cells(carried.component(c), mixture, u.component(c), sums[sum_solid], sums[sum_flux + std::size_t(c)]);
+            if (clock.memory() > 0) mixture_flux(u, sums, carried);
         },
-        reads(state.velocity, f.sums, clock_), writes(f.carried));
-    graph.each_block(
-        "what faces remember with grains",
-        [this](LocalBlock b, FaceView<const double> flux, Vectors carried, const FluidClock& clock, FaceView<double> remembered,
-               View<double> outflow) {
-            if (clock.memory() > 0) split_flux(geometry(b), fluid_.walls()[std::size_t(b)], flux, carried, remembered, outflow);
-        },
-        reads(state.flux, halo(f.carried, 1), clock_), writes(fluid.remembered_flux, fluid.remembered_outflow));
+        reads(fluid_.state().velocity, f.sums, clock_), writes(f.carried));
+    fluid_.declare_flux_memory(graph, f.carried);
 }
 
 /// Viscosity acts on the fluid as it will be, held back by the grains: with the acceleration of the last step. Else
@@ -69,7 +55,6 @@ void CoupledStep::declare_memory(tasks::StageGraph& graph)
 void CoupledStep::declare_advected(tasks::StageGraph& graph)
 {
     auto& fluid = fluid_.fields();
-    auto& state = fluid_.state();
     const auto expect = [this](LocalBlock, Vectors advected, Vectors gp, Vectors acceleration, const FluidClock& clock, VectorView<double> out) {
         // The gradient of the pressure went half to what is advected: off it goes.
         const double half = 0.5 * clock.dt / fluid_.parameters().density;
@@ -84,11 +69,8 @@ void CoupledStep::declare_advected(tasks::StageGraph& graph)
             map_components(advected, [dt = clock.dt](double u, double a) { return u - dt * a; }, predicted, acceleration);
         },
         reads(fluid.predicted, fields_.acceleration, clock_), writes(fields_.advected));
-    graph.each_block(
-        "remember velocity",
-        [](LocalBlock, Vectors u, VectorView<double> before) { map_components(before, [](double x) { return x; }, u); },
-        reads(state.velocity), writes(state.velocity_before));
-    graph.sink(state.velocity_before);
+    fluid_.declare_old_velocity(graph);
+    graph.sink(fluid_.state().velocity_before);
 }
 
 void CoupledStep::declare_predictor(tasks::StageGraph& graph, core::FieldBatch<grain_sums>& taken)
@@ -133,12 +115,7 @@ void CoupledStep::declare_volume_flux(tasks::StageGraph& graph, core::FieldBatch
         },
         reads(state.velocity, f.advected, fluid.pressure_gradient, clock_, taken, f.change, f.miss),
         writes(f.known_mobility, f.carried));
-    graph.each_block(
-        "face flux with grains",
-        [this](LocalBlock b, Vectors carried, FaceView<double> flux) {
-            interpolated_flux(geometry(b), fluid_.walls()[std::size_t(b)], carried, flux);
-        },
-        reads(halo(f.carried, 1)), writes(fluid.predicted_flux));
+    fluid_.declare_interpolated_flux(graph, f.carried);
     graph.each_block(
         "known pressure on faces",
         [this](LocalBlock b, View<const double> p, Vectors gp, View<const double> known, FaceView<const double> remembered,
@@ -151,15 +128,7 @@ void CoupledStep::declare_volume_flux(tasks::StageGraph& graph, core::FieldBatch
         },
         reads(halo(state.pressure, 1), halo(fluid.pressure_gradient, 1), halo(f.known_mobility, 1), fluid.remembered_flux, clock_),
         writes(known_face_mobility_, fluid.face_scratch), updates(fluid.predicted_flux));
-    graph.each_block(
-        "net outflow with grains",
-        [](LocalBlock, FaceView<const double> flux, View<const double> remembered, const FluidClock& clock, View<double> outflow,
-           View<double> through) {
-            net_outflow(flux, outflow);
-            throughput(flux, through);
-            take_off_remembered(clock.memory(), remembered, outflow);
-        },
-        reads(fluid.predicted_flux, fluid.remembered_outflow, clock_), writes(fluid.outflow, fluid.throughput));
+    fluid_.declare_net_outflow(graph);
 }
 
 void CoupledStep::declare_projection(tasks::StageGraph& graph)
@@ -172,10 +141,7 @@ void CoupledStep::declare_projection(tasks::StageGraph& graph)
             return fluid_.pressure_system().solve(lane, mobility, {outflow, through, 1.0 - clock.memory()}, change);
         },
         reads(face_mobility_, fluid.outflow, fluid.throughput, clock_), writes(fluid.psi));
-    graph.each_block(
-        "gradient of pressure change",
-        [this](LocalBlock b, View<const double> psi, VectorView<double> out) { gradient(geometry(b), geometry(b).gradient, psi, out); },
-        reads(halo(fluid.psi, 1)), writes(fluid.psi_gradient));
+    fluid_.declare_impulse_gradient(graph);
     graph.each_block(
         "correct face flux with grains",
         [this](LocalBlock b, View<const double> psi, Vectors g, FaceView<const double> mobility, FaceView<const double> predicted,

@@ -112,18 +112,19 @@ void CoupledStep::declare_answer(tasks::StageGraph& graph, Mode mode, Pass pass)
         updates(f.news), writes(lane_filter.stage_part));
 }
 
-/// What the next pass, or the next step, tells the grains. Through all passes of a step the stress is that of its start.
+/// What the next pass, or the next step, tells the grains: no copy, as the news mean nothing any more. Through all passes of a step
+/// the stress is that of its start.
 void CoupledStep::declare_told(tasks::StageGraph& graph, Pass pass)
 {
     graph.whole(
         "tell grains",
-        [this, stress = tells_stress(pass)](tasks::Lane& lane, const core::FieldBatch<grain_news>& news, core::FieldBatch<told_views>& told) {
-            lane.team().run(mesh_.own_count(), [&](int b) {
-                for (std::size_t a = 0; a < state_views; ++a) told.data(b, a) = news.data(b, a);
-                for (std::size_t a = 0; stress && a < 3; ++a) told.data(b, view_stress + a) = news.data(b, news_stress + a);
-            });
+        [this, stress = tells_stress(pass)](tasks::Lane&, core::FieldBatch<grain_news>& news, core::FieldBatch<told_views>& told) {
+            for (LocalBlock b = 0; b < mesh_.own_count(); ++b) {
+                for (std::size_t a = 0; a < state_views; ++a) std::swap(told.data(b, a), news.data(b, a));
+                for (std::size_t a = 0; stress && a < 3; ++a) std::swap(told.data(b, view_stress + a), news.data(b, news_stress + a));
+            }
         },
-        reads(fields_.news), updates(fields_.told));
+        updates(fields_.news, fields_.told));
 }
 
 } // namespace physics

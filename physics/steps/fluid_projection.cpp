@@ -14,7 +14,10 @@ using tasks::halo, tasks::reads, tasks::updates, tasks::writes;
 
 void FluidStep::declare_projection(tasks::StageGraph& graph)
 {
-    declare_face_flux(graph);
+    declare_flux_memory(graph, state_.velocity);
+    declare_interpolated_flux(graph, fields_.predicted);
+    declare_known_pressure(graph);
+    declare_net_outflow(graph);
     graph.whole(
         "solve pressure",
         [this](tasks::Lane& lane, const core::ScalarField& outflow, const core::ScalarField& throughput, const FluidClock& clock,
@@ -23,7 +26,7 @@ void FluidStep::declare_projection(tasks::StageGraph& graph)
     declare_correction(graph);
 }
 
-void FluidStep::declare_face_flux(tasks::StageGraph& graph)
+void FluidStep::declare_flux_memory(tasks::StageGraph& graph, core::VectorField& carried)
 {
     auto& f = fields_;
     graph.each_block(
@@ -32,11 +35,20 @@ void FluidStep::declare_face_flux(tasks::StageGraph& graph)
                View<double> outflow) {
             if (clock.memory() > 0) split_flux(geometry(b), walls_of(b), flux, u, remembered, outflow);
         },
-        reads(state_.flux, halo(state_.velocity, 3), clock_), writes(f.remembered_flux, f.remembered_outflow));
+        reads(state_.flux, halo(carried, 1), clock_), writes(f.remembered_flux, f.remembered_outflow));
+}
+
+void FluidStep::declare_interpolated_flux(tasks::StageGraph& graph, core::VectorField& carried)
+{
     graph.each_block(
         "face flux",
-        [this](LocalBlock b, Vectors predicted, FaceView<double> flux) { interpolated_flux(geometry(b), walls_of(b), predicted, flux); },
-        reads(halo(f.predicted, 1)), writes(f.predicted_flux));
+        [this](LocalBlock b, Vectors u, FaceView<double> flux) { interpolated_flux(geometry(b), walls_of(b), u, flux); },
+        reads(halo(carried, 1)), writes(fields_.predicted_flux));
+}
+
+void FluidStep::declare_known_pressure(tasks::StageGraph& graph)
+{
+    auto& f = fields_;
     graph.each_block(
         "pressure on faces",
         [this](LocalBlock b, View<const double> p, Vectors gp, FaceView<const double> remembered, const FluidClock& clock,
@@ -48,6 +60,11 @@ void FluidStep::declare_face_flux(tasks::StageGraph& graph)
         },
         reads(halo(state_.pressure, 1), halo(f.pressure_gradient, 1), f.remembered_flux, clock_), writes(f.face_scratch),
         updates(f.predicted_flux));
+}
+
+void FluidStep::declare_net_outflow(tasks::StageGraph& graph)
+{
+    auto& f = fields_;
     graph.each_block(
         "net outflow",
         [](LocalBlock, FaceView<const double> flux, View<const double> remembered, const FluidClock& clock, View<double> outflow,
@@ -59,13 +76,26 @@ void FluidStep::declare_face_flux(tasks::StageGraph& graph)
         reads(f.predicted_flux, f.remembered_outflow, clock_), writes(f.outflow, f.throughput));
 }
 
-void FluidStep::declare_correction(tasks::StageGraph& graph)
+void FluidStep::declare_impulse_gradient(tasks::StageGraph& graph)
 {
-    auto& f = fields_;
     graph.each_block(
         "gradient of pressure impulse",
         [this](LocalBlock b, View<const double> psi, VectorView<double> out) { gradient(geometry(b), geometry(b).gradient, psi, out); },
-        reads(halo(f.psi, 1)), writes(f.psi_gradient));
+        reads(halo(fields_.psi, 1)), writes(fields_.psi_gradient));
+}
+
+void FluidStep::declare_old_velocity(tasks::StageGraph& graph)
+{
+    graph.each_block(
+        "remember velocity",
+        [](LocalBlock, Vectors u, VectorView<double> before) { map_components(before, [](double x) { return x; }, u); },
+        reads(state_.velocity), writes(state_.velocity_before));
+}
+
+void FluidStep::declare_correction(tasks::StageGraph& graph)
+{
+    auto& f = fields_;
+    declare_impulse_gradient(graph);
     graph.each_block(
         "correct face flux",
         [this](LocalBlock b, View<const double> psi, Vectors g, FaceView<const double> predicted, FaceView<double> scratch, FaceView<double> flux,
@@ -75,10 +105,7 @@ void FluidStep::declare_correction(tasks::StageGraph& graph)
             net_outflow(scratch, removed);
         },
         reads(halo(f.psi, 1), halo(f.psi_gradient, 1), f.predicted_flux), writes(f.face_scratch, state_.flux, f.removed_outflow));
-    graph.each_block(
-        "remember velocity",
-        [](LocalBlock, Vectors u, VectorView<double> before) { map_components(before, [](double x) { return x; }, u); },
-        reads(state_.velocity), writes(state_.velocity_before));
+    declare_old_velocity(graph);
     graph.each_block(
         "correct velocity",
         [](LocalBlock, Vectors predicted, Vectors g, VectorView<double> u) {

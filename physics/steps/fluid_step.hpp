@@ -47,6 +47,16 @@ public:
     /// From the predicted velocity to the new state.
     void declare_projection(tasks::StageGraph& graph);
 
+    // Parts of a projection, with grains or without.
+    /// What faces remember of the last flux.
+    /// @param carried  What cells carried then: velocity, or the flux density of the mixture [m/s].
+    void declare_flux_memory(tasks::StageGraph& graph, core::VectorField& carried);
+    /// The predicted flux, without pressure, from what cells carry.
+    void declare_interpolated_flux(tasks::StageGraph& graph, core::VectorField& carried);
+    void declare_net_outflow(tasks::StageGraph& graph);
+    void declare_impulse_gradient(tasks::StageGraph& graph);
+    void declare_old_velocity(tasks::StageGraph& graph);
+
     [[nodiscard]] const FluidParameters& parameters() const { return parameters_; }
     [[nodiscard]] FluidState& state() { return state_; }
     [[nodiscard]] const FluidState& state() const { return state_; }
@@ -63,7 +73,7 @@ private:
     void velocity_gradients(core::LocalBlock b, Vectors u, const std::array<core::VectorView<double>, 3>& out) const;
     void viscous_acceleration(core::LocalBlock b, Vectors u, const std::array<Vectors, 3>& gradients, core::FaceView<double> scratch,
                               core::VectorView<double> out) const;
-    void declare_face_flux(tasks::StageGraph& graph);
+    void declare_known_pressure(tasks::StageGraph& graph);
     void declare_correction(tasks::StageGraph& graph);
     void declare_budget(tasks::StageGraph& graph);
     [[nodiscard]] const core::BlockGeometry& geometry(core::LocalBlock b) const { return mesh_.geometry(b); }

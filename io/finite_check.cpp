@@ -60,12 +60,30 @@ std::string bad_grain(const World& world)
     return "";
 }
 
+/// A grain that lies outside of the domain as a whole; soft walls let a part of it pass.
+std::string lost_grain(const World& world)
+{
+    if (!world.grains()) return "";
+    const core::ParticleSet& p = world.grains()->particles;
+    const core::Domain& domain = world.grains()->domain();
+    for (int g = 0; g < p.owned; ++g) {
+        const core::Vec3 x = p.position_of(g);
+        const double radius = p.radius[std::size_t(g)];
+        for (int a = 0; a < 3; ++a)
+            if (!domain.periodic[std::size_t(a)] && (x[a] < -radius || x[a] > domain.size[a] + radius))
+                return core::text("particle ", p.id[std::size_t(g)], " has left the domain, to ", (x + domain.origin).transpose(),
+                                  " m: contacts are too soft for its weight and speed, or sub-steps too long");
+    }
+    return "";
+}
+
 } // namespace
 
 void require_finite(World& world)
 {
     std::string found = bad_field(world);
     if (found.empty()) found = bad_grain(world);
+    if (found.empty()) found = lost_grain(world);
     double any = found.empty() ? 0.0 : 1.0;
     world.ranks().max(std::span(&any, 1));
     if (any == 0.0) return;

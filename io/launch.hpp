@@ -21,10 +21,11 @@ struct Launch {
 struct LaunchSite {
     int cores = 1;
     bool as_root = false;
+    int threads = 1; ///< of each rank
 };
 
 /// mpirun without binding (a bound rank would have one core for all its threads), with more ranks than cores only where
-/// needed, and as root only for root.
+/// needed, and as root only for root. Where threads outnumber cores, nobody spins.
 /// @param program  The program and its arguments.
 [[nodiscard]] Launch mpirun_launch(int ranks, const std::vector<std::string>& program, const LaunchSite& site);
 
@@ -44,10 +45,15 @@ inline constexpr int signal_for_interrupt = SIGALRM, signal_for_terminate = SIGU
     return signal == SIGINT ? signal_for_interrupt : signal == SIGTERM ? signal_for_terminate : signal;
 }
 
-/// Runs the same command on `ranks` ranks and waits for its end; Ctrl-C, TERM and USR1 reach all ranks as requests to stop,
+/// Runs the same command on `ranks` ranks of so many threads and waits for its end; Ctrl-C, TERM and USR1 reach all ranks as requests to stop,
 /// a second Ctrl-C or TERM ends them at once.
 /// @returns the exit code, or nothing if this process is one of the ranks.
 /// @throws core::ConfigError if mpirun started another number of ranks, or cannot be found.
-[[nodiscard]] std::optional<int> start_ranks(int ranks, int argc, char** argv);
+[[nodiscard]] std::optional<int> start_ranks(int ranks, int threads, int argc, char** argv);
+
+/// By itself a thread of an OpenMP team spins for 15 ms at the end of each loop before it sleeps; where cores are short, each
+/// loop takes that long. The library reads its settings when it is loaded: this sets them, unless the user has, and starts
+/// the program again, once. To be called before MPI begins. @param threads  of this rank
+void restrain_openmp(int threads, char** argv);
 
 } // namespace io

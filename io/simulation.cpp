@@ -23,17 +23,19 @@ void write_text(const std::filesystem::path& path, const std::string& text)
     core::require<core::FileError>(file.good(), fmt::format("{} cannot be written", path.string()));
 }
 
-void require_a_block_for_each_rank(const Grid& grid, int ranks)
+/// @throws core::ConfigError where there are fewer blocks than ranks.
+core::MultiBlock blocks_for(const Grid& grid, int ranks)
 {
-    const std::size_t blocks = make_blocks(grid).blocks.size();
+    core::MultiBlock made = make_blocks(grid);
+    const std::size_t blocks = made.blocks.size();
     core::require<core::ConfigError>(std::size_t(ranks) <= blocks,
                                      fmt::format("{} ranks, but the grid has only {} block{}: use fewer ranks, or more blocks in the grid of the scene",
                                                  ranks, blocks, blocks == 1 ? "" : "s"));
+    return made;
 }
 
 RunDirectory prepare(const Scene& scene, const core::Communicator& ranks, const SimulationOptions& options)
 {
-    require_a_block_for_each_rank(scene.grid, ranks.size());
     on_rank_zero<core::ConfigError>(ranks, [&] {
         const RunDirectory run = RunDirectory::create(options.directory, options.existing);
         write_text(run.scene(), scene_text(scene));
@@ -51,15 +53,21 @@ std::unique_ptr<core::Team> team_for(const SimulationOptions& options)
 } // namespace
 
 Simulation::Simulation(const Scene& scene, const core::Communicator& ranks, const SimulationOptions& options)
+    : Simulation(scene, blocks_for(scene.grid, ranks.size()), ranks, options)
+{
+}
+
+Simulation::Simulation(const Scene& scene, core::MultiBlock blocks, const core::Communicator& ranks, const SimulationOptions& options)
     : options_(options), ranks_(ranks), directory_(prepare(scene, ranks, options)), console_(std::cout, console_kind(ranks.rank())),
       log_(ranks.rank() == 0 ? directory_.log() : std::filesystem::path(), console_),
-      requests_(directory_.stop_file(), scene.run.wall_clock), world_(scene, ranks)
+      requests_(directory_.stop_file(), scene.run.wall_clock), world_(scene, std::move(blocks), ranks)
 {
     if (options.existing == RunDirectory::Existing::resume) resume();
-    else world_.settle(*team_for(options));
+    settle();
+    if (early_stop_ != StopReason::none) return;
     const tasks::Plan& plan = world_.compile();
     executor_ = tasks::make_executor({options.executor, options.threads, options.trace ? &trace_ : nullptr}, plan);
-    const bool resumed = options.existing == RunDirectory::Existing::resume;
+    const bool resumed = options.existing == RunDirectory::Existing::resume && world_.clock().step > 0;
     world_.run_other_modes_with({executor_->name(), options.threads, nullptr});
     outputs_ = std::make_unique<SimulationOutputs>(world_, directory_, log_, resumed);
     report_plan();
@@ -74,6 +82,27 @@ void Simulation::resume()
     core::require<core::FileError>(!choice.path.empty(), fmt::format("{} has no good checkpoint", directory_.checkpoints().string()));
     load_state(CheckpointReader(choice.path, ranks_), world_);
     log_.info(fmt::format("restart from {} at t = {:.6g} s", choice.path, world_.time()));
+}
+
+void Simulation::settle()
+{
+    const auto team = team_for(options_);
+    if (world_.settling_left() > 0)
+        log_.info(fmt::format("settling for {:.6g} s: {:.6g} sub-steps of {:.3g} s", world_.scene().run.settle, world_.settling_left(),
+                              world_.grains()->step()));
+    while (world_.settling_left() > 0) {
+        early_stop_ = requests_.agree(ranks_);
+        if (early_stop_ != StopReason::none) return;
+        world_.settle_batch(*team);
+    }
+}
+
+StopReason Simulation::stop_early()
+{
+    save_state(world_, directory_.checkpoints().string(), world_.scene().output.keep_checkpoints);
+    log_.info(fmt::format("stopped by {} while the grains settled, {:.6g} of {:.6g} sub-steps done, state saved", name_of(early_stop_),
+                          world_.settled(), world_.settled() + world_.settling_left()));
+    return early_stop_;
 }
 
 void Simulation::report_plan()
@@ -103,6 +132,7 @@ void Simulation::step()
 
 StopReason Simulation::run()
 {
+    if (early_stop_ != StopReason::none) return stop_early();
     const double until = options_.until.value_or(world_.scene().run.until);
     Progress progress(world_.time(), until, console_, log_);
     StopReason reason = requests_.agree(ranks_); // somebody may have asked during the preparation

@@ -37,7 +37,10 @@ public:
     [[nodiscard]] World& world() { return world_; }
 
 private:
+    Simulation(const Scene& scene, core::MultiBlock blocks, const core::Communicator& ranks, const SimulationOptions& options);
     void resume();
+    void settle();
+    StopReason stop_early();
     void step();
     void report_plan();
 
@@ -48,6 +51,7 @@ private:
     Log log_;
     StopRequests requests_;
     World world_;
+    StopReason early_stop_ = StopReason::none; ///< asked for while the grains settled
     tasks::Trace trace_;
     std::unique_ptr<tasks::Executor> executor_;
     std::unique_ptr<SimulationOutputs> outputs_;

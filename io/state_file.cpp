@@ -155,6 +155,7 @@ std::string save_state(World& world, const std::string& directory, int keep)
     for_each_carried_field(world, [&](auto& field) { writer.field(views(std::as_const(field)), blocks_of(world.mesh())); });
     for_each_scalar(world.clock(), [&](const char* name, auto& value) { writer.scalar(name, double(value)); });
     if (world.grains()) {
+        writer.scalar("settled_sub_steps", world.settled());
         save_particles(world, writer);
         save_contacts(world, writer);
     }
@@ -171,7 +172,9 @@ void load_state(const CheckpointReader& checkpoint, World& world)
     for_each_scalar(world.clock(), [&](const char* name, auto& value) {
         value = std::remove_reference_t<decltype(value)>(checkpoint.scalar(name));
     });
-    if (world.grains()) load_particles(checkpoint, world);
+    if (!world.grains()) return;
+    world.settled() = checkpoint.scalar("settled_sub_steps");
+    load_particles(checkpoint, world);
 }
 
 } // namespace io

@@ -8,30 +8,33 @@
 #include "io/world_grains.hpp"
 #include "physics/particles/advance.hpp"
 #include "physics/steps/grain_job.hpp"
+#include <algorithm>
 #include <cmath>
 
 namespace io {
 namespace {
 
 /// The cell that holds the middle of the low end of the drive's axis.
-std::optional<core::Location> axis_cell(const core::Mesh& mesh, const Grid& grid, const core::Vec3& direction)
+std::optional<core::Location> axis_cell(const core::Locator& locator, const Grid& grid, const core::Vec3& direction)
 {
     const core::Vec3 middle = 0.5 * (grid.low() + grid.high());
     const core::Vec3 end = middle - 0.5 * (grid.high() - grid.low()).cwiseProduct(direction.cwiseAbs()) * (1 - 1e-9);
-    return core::Locator(mesh).find(end);
+    return locator.find(end);
 }
 
 } // namespace
 
-World::World(const Scene& scene, const core::Communicator& ranks)
-    : scene_(scene), ranks_(ranks), mesh_(make_blocks(scene.grid), ranks.rank(), ranks.size()),
+World::World(const Scene& scene, const core::Communicator& ranks) : World(scene, make_blocks(scene.grid), ranks) {}
+
+World::World(const Scene& scene, core::MultiBlock blocks, const core::Communicator& ranks)
+    : scene_(scene), ranks_(ranks), mesh_(std::move(blocks), ranks.rank(), ranks.size()), locator_(mesh_),
       halos_(mesh_, ranks_, core::HaloShape::full), graph_(layout(), ranks_)
 {
     graph_.fill_halos_with(halos_);
     if (scene_.fluid) {
         fluid_.emplace(mesh_, ranks_, halos_, fluid_parameters(scene_));
         const core::Vec3 direction = physics::drive_direction(fluid_->parameters().drive);
-        if (direction.norm() > 0) axis_ = axis_cell(mesh_, scene_.grid, direction);
+        if (direction.norm() > 0) axis_ = axis_cell(locator_, scene_.grid, direction);
     }
     if (!scene_.particles.empty()) make_grains();
     if (fluid_ && grains_) make_coupling();
@@ -39,7 +42,6 @@ World::World(const Scene& scene, const core::Communicator& ranks)
 
 void World::make_grains()
 {
-    locator_.emplace(mesh_);
     grains_.emplace(make_dynamics(scene_, mesh_));
     const physics::OwnerOf owner_of = [this](const core::Vec3& x) { return this->owner_of(x); };
     add_initial_particles(scene_, owner_of, ranks_.rank(), *grains_);
@@ -55,24 +57,38 @@ tasks::Layout World::layout() const
 
 int World::owner_of(const core::Vec3& position) const
 {
-    const auto at = locator_->find(position + grains_->domain().origin);
-    return at ? mesh_.owner(at->block) : 0;
+    return locator_.owner(position + grains_->domain().origin);
 }
 
 void World::make_coupling()
 {
-    coupling_.emplace(mesh_, ranks_, halos_, *fluid_, *grains_, *stepper_, coupling_parameters(scene_));
+    coupling_.emplace(locator_, ranks_, halos_, *fluid_, *grains_, *stepper_, coupling_parameters(scene_));
     asked_mode_ = asked_mode(scene_);
+}
+
+double World::settling_left() const
+{
+    return grains_ ? std::max(0.0, std::ceil(scene_.run.settle / grains_->step()) - settled_) : 0.0;
+}
+
+void World::settle_batch(const core::Team& team)
+{
+    std::int64_t grains = 0;
+    for (const Species& s : scene_.particles) grains += s.count;
+    // About a second of one core, yet enough sub-steps to make up for bringing every grain to its rank after them.
+    const double batch = std::clamp(1e7 / double(std::max<std::int64_t>(grains, 1)), 20.0, 200.0);
+    const int sub_steps = int(std::min(settling_left(), std::floor(batch)));
+    if (sub_steps == 0) return;
+    const core::Communicator messages = ranks_.duplicate();
+    physics::settle(*stepper_, physics::DryMotion{settling_gravity(scene_)}, sub_steps, team, messages);
+    physics::hand_over(*stepper_, team, messages);
+    settled_ += sub_steps;
+    require_finite(*this);
 }
 
 void World::settle(const core::Team& team)
 {
-    if (!grains_ || scene_.run.settle <= 0) return;
-    const int sub_steps = int(std::ceil(scene_.run.settle / grains_->step()));
-    const physics::DryMotion motion{settling_gravity(scene_)};
-    const core::Communicator messages = ranks_.duplicate();
-    physics::settle(*stepper_, motion, sub_steps, team, messages);
-    physics::hand_over(*stepper_, team, messages);
+    while (settling_left() > 0) settle_batch(team);
 }
 
 void World::declare()

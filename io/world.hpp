@@ -18,6 +18,8 @@ class World {
 public:
     /// Collective. @throws core::ConfigError for a scene that cannot be computed.
     World(const Scene& scene, const core::Communicator& ranks);
+    /// The same with the blocks of the scene's grid, made before.
+    World(const Scene& scene, core::MultiBlock blocks, const core::Communicator& ranks);
     World(const World&) = delete;
     World& operator=(const World&) = delete;
 
@@ -44,8 +46,14 @@ public:
     /// The rank that owns what lies at a position relative to the domain's origin [m]; the same on all ranks.
     [[nodiscard]] int owner_of(const core::Vec3& position) const;
 
-    /// Grains alone, with their weight in the fluid, for scene.run.settle. Collective.
+    /// Grains alone, with their weight in the fluid, for what is left of scene.run.settle. Collective.
     void settle(const core::Team& team);
+    /// A part of it; the parts do not depend on where a run was interrupted. Collective.
+    void settle_batch(const core::Team& team);
+    /// Sub-steps that are left of it.
+    [[nodiscard]] double settling_left() const;
+    /// Sub-steps of it that are done: part of the state.
+    [[nodiscard]] double& settled() { return settled_; }
     /// Compiles the stages; call once, after settle() or after the state has been read. Collective.
     const tasks::Plan& compile();
     /// None before compile().
@@ -93,9 +101,9 @@ private:
     Scene scene_;
     core::Communicator ranks_;
     core::Mesh mesh_;
+    core::Locator locator_;
     tasks::ExchangeFiller halos_;
     tasks::StageGraph graph_;
-    std::optional<core::Locator> locator_;
     std::optional<physics::FluidStep> fluid_;
     std::optional<physics::ParticleDynamics> grains_;
     std::optional<physics::ParticleStepper> stepper_;
@@ -111,6 +119,7 @@ private:
     std::set<physics::Mode> told_modes_; ///< to the user
     std::map<physics::Mode, OtherMode> others_;
     tasks::ExecutorOptions other_options_{.kind = "serial"};
+    double settled_ = 0;
     int sub_steps_ = 0;
     std::string limit_name_; ///< of the last step
     double shortening_ = 1.0; ///< of the step that is being tried again

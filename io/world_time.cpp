@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 // How long the next step of a World may be.
+#include "core/base/error.hpp"
 #include "io/physics_builder.hpp"
 #include "io/world.hpp"
 #include "io/world_grains.hpp"
@@ -50,6 +51,10 @@ double World::next_step()
     limit_name_ = limit.binding;
     const double dt = limit.dt;
     if (!grains_) return dt;
+    constexpr double most_sub_steps = 1e9;
+    core::require<core::ConfigError>(dt < most_sub_steps * grains_->step(),
+                                     core::text("a step of ", dt, " s would need ", dt / grains_->step(), " sub-steps of the grains, of ", grains_->step(),
+                                                " s each: contacts this stiff, or grains this light, cannot be computed; look at contact.stiffness"));
     sub_steps_ = std::max(1, int(std::floor(dt / grains_->step() * (1 + 1e-12))));
     return sub_steps_ * grains_->step();
 }

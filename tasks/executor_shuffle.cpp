@@ -25,14 +25,17 @@ public:
             missing.push_back(int(node.predecessors.size()));
         }
         runner_.begin_step(step);
+        core::Patience patience;
         for (std::size_t ended = 0; ended < nodes.size();) {
-            if (!ready.empty()) {
+            if (ready.empty()) {
+                runner_.wait(patience);
+            } else {
                 std::swap(ready[pick_() % ready.size()], ready.back());
                 const int node = ready.back();
                 ready.pop_back();
                 runner_.start(node);
+                runner_.advance();
             }
-            runner_.advance();
             for (const int node : runner_.take_ended()) {
                 ++ended;
                 for (const int next : nodes[std::size_t(node)].successors)

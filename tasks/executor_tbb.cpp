@@ -92,8 +92,8 @@ public:
         arena_.execute([&] {
             network_->fire();
             network_->wait();
-            while (open_jobs_ > 0) // nothing left to compute until messages arrive
-                if (runner_.plan().pump().poll_idle()) network_->wait();
+            for (core::Patience patience; open_jobs_ > 0;) // nothing left to compute until messages arrive
+                if (runner_.plan().pump().poll_idle(patience)) network_->wait();
         });
         runner_.end_step();
     }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tasks/failure.hpp"
 
+#include "core/base/patience.hpp"
+
 #include <array>
 #include <cstring>
 #include <span>
@@ -92,7 +94,7 @@ std::optional<Failure> Poison::agree(const core::Communicator& ranks, const std:
     double failed = set() ? 1.0 : 0.0;
     core::Pending pending;
     ranks.start_max(std::span(&failed, 1), pending);
-    while (!pending.done()) meanwhile();
+    for (core::Patience patience; !pending.done(); patience.pause()) meanwhile();
     if (failed == 0.0) return std::nullopt;
     const auto mine = first();
     const auto all = ranks.gather_all(mine ? packed(*mine) : std::vector<std::byte>{});

@@ -80,8 +80,8 @@ void run(const core::Communicator& communicator, const core::Team& team, const s
         ended = true;
         error = std::move(e);
     });
-    while (!ended) {
-        pump.poll_idle();
+    for (core::Patience patience; !ended;) {
+        pump.poll_idle(patience);
         for (; !arrived.empty(); arrived.pop_front()) arrived.front().resume();
     }
     try {

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tasks/message_pump.hpp"
 
-#include <thread>
 #include <utility>
 
 namespace tasks {
@@ -49,10 +48,11 @@ bool MessagePump::poll()
     return !settled.empty();
 }
 
-bool MessagePump::poll_idle()
+bool MessagePump::poll_idle(core::Patience& patience)
 {
     const bool settled = poll();
-    if (!settled) std::this_thread::yield();
+    if (settled) patience.reset();
+    else patience.pause();
     return settled;
 }
 
@@ -66,7 +66,6 @@ void MessagePump::raise_alarm()
 void MessagePump::listen()
 {
     if (alarm_) alarm_->heard();
-    std::this_thread::yield();
 }
 
 bool MessagePump::end_alarm() { return alarm_ && alarm_->end(); }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The only place that asks MPI whether messages have arrived, and the one token that owns MPI inside a step.
+#include "core/base/patience.hpp"
 #include "core/comm/communicator.hpp"
 #include "tasks/alarm.hpp"
 #include <atomic>
@@ -28,8 +29,8 @@ public:
     void wait_for(core::Pending& messages, std::function<void(Outcome)> settled);
     /// Tests all messages unless another thread is in MPI. One atomic load if there are none. @return Whether some settled.
     bool poll();
-    /// poll() for a thread that has nothing else to do: lets other processes run where cores are short.
-    bool poll_idle();
+    /// poll() for a thread that has nothing else to do until messages arrive.
+    bool poll_idle(core::Patience& patience);
     [[nodiscard]] bool idle() const { return waiting_count_.load(std::memory_order_acquire) == 0; }
 
     /// A job has left its messages: no rank may wait for messages any more, in this step.

@@ -134,9 +134,8 @@ void DrivenRunner::begin_step(std::int64_t step)
     runner_.begin_step(step);
 }
 
-void DrivenRunner::advance()
+void DrivenRunner::continue_arrived()
 {
-    plan().pump().poll();
     std::deque<Arrived> now;
     {
         const std::lock_guard lock(mutex_);
@@ -145,12 +144,21 @@ void DrivenRunner::advance()
     for (const Arrived& arrived : now) runner_.resume(arrived);
 }
 
+void DrivenRunner::advance()
+{
+    plan().pump().poll();
+    continue_arrived();
+}
+
+void DrivenRunner::wait(core::Patience& patience)
+{
+    plan().pump().poll_idle(patience);
+    continue_arrived();
+}
+
 void DrivenRunner::wait_for(int node)
 {
-    while (!has_ended_[std::size_t(node)]) {
-        plan().pump().poll_idle();
-        advance();
-    }
+    for (core::Patience patience; !has_ended_[std::size_t(node)];) wait(patience);
 }
 
 std::vector<int> DrivenRunner::take_ended()

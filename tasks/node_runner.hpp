@@ -65,12 +65,16 @@ public:
     void end_step() { runner_.end_step(); }
     /// Continues the jobs whose messages have arrived.
     void advance();
+    /// The same for a thread that has nothing else to do.
+    void wait(core::Patience& patience);
     void wait_for(int node);
     /// The nodes that have ended since the last call.
     [[nodiscard]] std::vector<int> take_ended();
     [[nodiscard]] const Plan& plan() const { return runner_.plan(); }
 
 private:
+    void continue_arrived();
+
     std::mutex mutex_; // events come from the threads of a team, too
     std::vector<int> ended_;
     std::vector<char> has_ended_;

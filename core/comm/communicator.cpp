@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/comm/communicator.hpp"
 #include "core/base/error.hpp"
+#include "core/base/patience.hpp"
 
 #include <mpi.h>
 
 #include <limits>
-#include <numeric>
 
 namespace core {
 
@@ -41,22 +41,8 @@ bool Pending::done()
 
 void Pending::wait()
 {
-    MPI_Waitall(int(requests_->list.size()), requests_->list.data(), MPI_STATUSES_IGNORE);
-    requests_->list.clear();
+    for (Patience patience; !done(); patience.pause()) {}
 }
-
-struct Communicator::Handle {
-    MPI_Comm comm = MPI_COMM_NULL;
-    explicit Handle(MPI_Comm parent) { MPI_Comm_dup(parent, &comm); }
-    ~Handle()
-    {
-        int finalized = 0;
-        MPI_Finalized(&finalized);
-        if (!finalized) MPI_Comm_free(&comm);
-    }
-    Handle(const Handle&) = delete;
-    Handle& operator=(const Handle&) = delete;
-};
 
 namespace {
 
@@ -66,7 +52,40 @@ int count_of(std::size_t n)
     return int(n);
 }
 
+/// Waits as Pending does. MPI's own waits keep the core, also from the rank that they wait for.
+void wait_for(MPI_Request request)
+{
+    int done = 0;
+    for (Patience patience; MPI_Test(&request, &done, MPI_STATUS_IGNORE), !done; patience.pause()) {}
+}
+
+template <class Value>
+void reduce(std::span<Value> v, MPI_Datatype type, MPI_Op operation, MPI_Comm comm)
+{
+    MPI_Request request = MPI_REQUEST_NULL;
+    MPI_Iallreduce(MPI_IN_PLACE, v.data(), count_of(v.size()), type, operation, comm, &request);
+    wait_for(request);
+}
+
 } // namespace
+
+struct Communicator::Handle {
+    MPI_Comm comm = MPI_COMM_NULL;
+    explicit Handle(MPI_Comm parent)
+    {
+        MPI_Request request = MPI_REQUEST_NULL;
+        MPI_Comm_idup(parent, &comm, &request);
+        wait_for(request);
+    }
+    ~Handle()
+    {
+        int finalized = 0;
+        MPI_Finalized(&finalized);
+        if (!finalized) MPI_Comm_free(&comm);
+    }
+    Handle(const Handle&) = delete;
+    Handle& operator=(const Handle&) = delete;
+};
 
 Communicator::Communicator(std::shared_ptr<const Handle> handle) : handle_(std::move(handle))
 {
@@ -98,26 +117,10 @@ bool Communicator::has_message(int from, int tag) const
     return flag != 0;
 }
 
-void Communicator::sum(std::span<double> v) const
-{
-    MPI_Allreduce(MPI_IN_PLACE, v.data(), count_of(v.size()), MPI_DOUBLE, MPI_SUM, handle_->comm);
-}
-
-void Communicator::sum(std::span<std::int64_t> v) const
-{
-    MPI_Allreduce(MPI_IN_PLACE, v.data(), count_of(v.size()), MPI_INT64_T, MPI_SUM, handle_->comm);
-}
-
-void Communicator::max(std::span<double> v) const
-{
-    MPI_Allreduce(MPI_IN_PLACE, v.data(), count_of(v.size()), MPI_DOUBLE, MPI_MAX, handle_->comm);
-}
-
-void Communicator::max(std::span<std::int64_t> v) const
-{
-    MPI_Allreduce(MPI_IN_PLACE, v.data(), count_of(v.size()), MPI_INT64_T, MPI_MAX, handle_->comm);
-}
-
+void Communicator::sum(std::span<double> v) const { reduce(v, MPI_DOUBLE, MPI_SUM, handle_->comm); }
+void Communicator::sum(std::span<std::int64_t> v) const { reduce(v, MPI_INT64_T, MPI_SUM, handle_->comm); }
+void Communicator::max(std::span<double> v) const { reduce(v, MPI_DOUBLE, MPI_MAX, handle_->comm); }
+void Communicator::max(std::span<std::int64_t> v) const { reduce(v, MPI_INT64_T, MPI_MAX, handle_->comm); }
 void Communicator::start_sum(std::span<double> v, Pending& pending) const
 {
     auto& request = pending.requests_->list.emplace_back();
@@ -139,7 +142,9 @@ std::vector<std::vector<std::byte>> Communicator::exchange_all(const std::vector
 {
     std::vector<std::int64_t> out(to.size()), in(to.size());
     for (std::size_t r = 0; r < to.size(); ++r) out[r] = std::int64_t(to[r].size());
-    MPI_Alltoall(out.data(), 1, MPI_INT64_T, in.data(), 1, MPI_INT64_T, handle_->comm);
+    MPI_Request lengths = MPI_REQUEST_NULL;
+    MPI_Ialltoall(out.data(), 1, MPI_INT64_T, in.data(), 1, MPI_INT64_T, handle_->comm, &lengths);
+    wait_for(lengths);
     std::vector<std::vector<std::byte>> from(to.size());
     Pending pending;
     for (std::size_t r = 0; r < to.size(); ++r) {
@@ -155,11 +160,19 @@ std::vector<std::vector<std::byte>> Communicator::exchange_all(const std::vector
 void Communicator::broadcast(std::vector<std::byte>& data, int root) const
 {
     std::int64_t size = std::int64_t(data.size());
-    MPI_Bcast(&size, 1, MPI_INT64_T, root, handle_->comm);
+    MPI_Request request = MPI_REQUEST_NULL;
+    MPI_Ibcast(&size, 1, MPI_INT64_T, root, handle_->comm, &request);
+    wait_for(request);
     data.resize(std::size_t(size));
-    MPI_Bcast(data.data(), count_of(data.size()), MPI_BYTE, root, handle_->comm);
+    MPI_Ibcast(data.data(), count_of(data.size()), MPI_BYTE, root, handle_->comm, &request);
+    wait_for(request);
 }
 
-void Communicator::barrier() const { MPI_Barrier(handle_->comm); }
+void Communicator::barrier() const
+{
+    MPI_Request request = MPI_REQUEST_NULL;
+    MPI_Ibarrier(handle_->comm, &request);
+    wait_for(request);
+}
 
 } // namespace core

@@ -65,6 +65,17 @@ Locator::Locator(const Mesh& mesh) : mesh_(&mesh)
     bins_.cells.resize(std::size_t(bins_.first.back()));
     auto next = bins_.first;
     visit([&](std::size_t bin, BlockId b, Index3 c) { bins_.cells[std::size_t(next[bin]++)] = {b, c}; });
+    find_owners();
+}
+
+void Locator::find_owners()
+{
+    for (std::size_t bin = 0; bin + 1 < bins_.first.size(); ++bin) {
+        const auto begin = bins_.cells.begin() + bins_.first[bin], end = bins_.cells.begin() + bins_.first[bin + 1];
+        const int first = begin == end ? -1 : mesh_->owner(begin->first);
+        const bool same = std::all_of(begin, end, [&](const auto& c) { return mesh_->owner(c.first) == first; });
+        bins_.owner.push_back(same ? first : -1);
+    }
 }
 
 Index3 Locator::bin_of(const Vec3& x) const
@@ -75,12 +86,24 @@ Index3 Locator::bin_of(const Vec3& x) const
     return bin;
 }
 
+std::size_t Locator::bin_number(const Vec3& x) const
+{
+    const Index3 b = bin_of(x);
+    return std::size_t(b.i + bins_.count.ni * (b.j + bins_.count.nj * b.k));
+}
+
+int Locator::owner(const Vec3& x) const
+{
+    if (const int all = bins_.owner[bin_number(x)]; all >= 0) return all;
+    const auto at = find(x);
+    return at ? mesh_->owner(at->block) : 0;
+}
+
 Vec3 Locator::position(const Location& at) const { return TrilinearCell(mesh_->vertices(at.block), at.cell).position(at.xi); }
 
 std::optional<Location> Locator::find(const Vec3& x) const
 {
-    const Index3 b = bin_of(x);
-    const auto bin = std::size_t(b.i + bins_.count.ni * (b.j + bins_.count.nj * b.k));
+    const std::size_t bin = bin_number(x);
     std::optional<Location> best;
     double least = tolerance_cells;
     for (int n = bins_.first[bin]; n < bins_.first[bin + 1]; ++n) {

@@ -39,8 +39,11 @@ std::optional<int> begin_parallel(const ParallelOptions& options, const Invocati
     core::require<ConfigError>(options.ranks.value_or(1) >= 1, "--ranks: at least one rank is needed");
     core::require<ConfigError>(options.threads.value_or(1) >= 1, "--threads: at least one thread is needed");
     check_executor(options.executor);
-    if (!options.ranks || *options.ranks == 1) return {};
-    return start_ranks(*options.ranks, invocation.argc, invocation.argv);
+    const int ranks = options.ranks.value_or(1), threads = chosen_threads(options, ranks);
+    if (ranks > 1)
+        if (const auto code = start_ranks(ranks, threads, invocation.argc, invocation.argv)) return code;
+    if (options.executor == "openmp") restrain_openmp(threads, invocation.argv);
+    return {};
 }
 
 int chosen_threads(const ParallelOptions& options, int ranks)

@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #include "physics/fluid/advection_lcsi.hpp"
+#include "core/base/error.hpp"
 #include "core/grid/halo_map.hpp"
 #include "physics/fluid/hermite.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace physics {
 namespace {
@@ -204,8 +206,9 @@ void index_velocity(const core::BlockGeometry& geometry, core::VectorView<const 
         }
 }
 
-void trajectories(core::VectorView<const double> index_velocity, double dt, core::VectorView<double> displacement)
+LongestWay trajectories(core::VectorView<const double> index_velocity, double dt, core::VectorView<double> displacement)
 {
+    LongestWay longest;
     for_each_chunk(displacement.x.extents(), [&](core::Index3 first, int cells) {
         Window<3> window;
         Chunk path;
@@ -223,9 +226,26 @@ void trajectories(core::VectorView<const double> index_velocity, double dt, core
         }
         for (int m = 0; m < 3; ++m) {
             double* out = displacement.component(m).row(first.j, first.k) + first.i;
-            for (int l = 0; l < cells; ++l) out[l] = std::clamp(path.value[m][l], -1.0, 1.0);
+            double most = 0;
+#pragma omp simd reduction(max : most)
+            for (int l = 0; l < cells; ++l) {
+                most = std::max(most, std::abs(path.value[m][l]));
+                out[l] = std::clamp(path.value[m][l], -1.0, 1.0);
+            }
+            if (most <= longest.cells) continue;
+            const auto farthest = std::find_if(path.value[m], path.value[m] + cells, [most](double way) { return std::abs(way) == most; });
+            longest = {most, {first.i + int(farthest - path.value[m]), first.j, first.k}};
         }
     });
+    return longest;
+}
+
+void require_within_reach(const LongestWay& way, core::BlockId block, double dt)
+{
+    constexpr double rounding = 1e-9; // of a way of just one cell
+    core::require<core::NumericsError>(way.cells <= 1 + rounding,
+                                       core::text("block ", block, ", cell (", way.cell.i, ", ", way.cell.j, ", ", way.cell.k, "): in a step of ", dt,
+                                                  " s its water comes from ", way.cells, " cells away, stencils and halos reach 1: make the step smaller"));
 }
 
 std::array<bool, 3> singular_axes(const core::Topology& topology, core::BlockId block)

@@ -25,11 +25,21 @@ struct Extrapolation {
 void index_velocity(const core::BlockGeometry& geometry, core::VectorView<const double> transport, const Extrapolation& change,
                     core::VectorView<double> index_velocity);
 
+/// The longest way of a block along one axis, and the cell where it ends.
+struct LongestWay {
+    double cells = 0;
+    core::Index3 cell;
+};
+
 /// Displacement in cells over one step, by two iterations of the midpoint rule with trilinear velocity; clipped to one
 /// cell in each direction, which is as far as the stencils reach.
 /// @param index_velocity     One halo layer [1/s].
 /// @param[out] displacement  Interior [cells].
-void trajectories(core::VectorView<const double> index_velocity, double dt, core::VectorView<double> displacement);
+/// @return What was longest before it was clipped.
+[[nodiscard]] LongestWay trajectories(core::VectorView<const double> index_velocity, double dt, core::VectorView<double> displacement);
+
+/// @throws core::NumericsError naming block and cell if water came from farther than stencils and halos reach.
+void require_within_reach(const LongestWay& way, core::BlockId block, double dt);
 
 /// Axes along which the singular edges of a block run (edges where three or five blocks meet). Stencils may have six points
 /// along them, but not across.

@@ -12,14 +12,14 @@ using core::LocalBlock, core::VectorView, core::View;
 using tasks::halo, tasks::reads, tasks::updates, tasks::writes;
 using Vectors = VectorView<const double>;
 
-CoupledStep::CoupledStep(const core::Mesh& mesh, const core::Communicator& ranks, tasks::HaloFiller& halos, FluidStep& fluid,
+CoupledStep::CoupledStep(const core::Locator& locator, const core::Communicator& ranks, tasks::HaloFiller& halos, FluidStep& fluid,
                          ParticleDynamics& grains, ParticleStepper& stepper, const CouplingParameters& parameters)
-    : mesh_(mesh), ranks_(ranks), fluid_(fluid), dynamics_(grains), stepper_(stepper), parameters_(parameters), locator_(mesh),
-      halos_(halos), plan_(mesh, ranks, 1, 1, core::HaloShape::full), fields_(mesh),
+    : mesh_(locator.mesh()), ranks_(ranks), fluid_(fluid), dynamics_(grains), stepper_(stepper), parameters_(parameters), locator_(locator),
+      halos_(halos), plan_(mesh_, ranks, 1, 1, core::HaloShape::full), fields_(mesh_),
       exchange_(parameters, add_wet_columns(grains.particles), add_exchange_columns(grains.particles, parameters)),
-      filter_("filter", make_mesh_links(mesh, ranks.rank(), BehindWalls::nothing).topology, parameters.filter_width),
-      face_mobility_({"mobility on faces", "m3 s/kg", 0, false}, mesh.own_cells()),
-      known_face_mobility_({"mobility of the known pressure on faces", "m3 s/kg", 0, false}, mesh.own_cells()),
+      filter_("filter", make_mesh_links(mesh_, ranks.rank(), BehindWalls::nothing).topology, parameters.filter_width),
+      face_mobility_({"mobility on faces", "m3 s/kg", 0, false}, mesh_.own_cells()),
+      known_face_mobility_({"mobility of the known pressure on faces", "m3 s/kg", 0, false}, mesh_.own_cells()),
       grains_("grains", grains), clock_("fluid clock", fluid.state().clock), places_("places of grains"), kept_("grains at the start"),
       assumed_("assumed grains")
 {

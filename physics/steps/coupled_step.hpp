@@ -20,7 +20,7 @@ inline constexpr int passes_of_iterated = 3;
 class CoupledStep {
 public:
     /// All references must outlive the step. Collective.
-    CoupledStep(const core::Mesh& mesh, const core::Communicator& ranks, tasks::HaloFiller& halos, FluidStep& fluid,
+    CoupledStep(const core::Locator& locator, const core::Communicator& ranks, tasks::HaloFiller& halos, FluidStep& fluid,
                 ParticleDynamics& grains, ParticleStepper& stepper, const CouplingParameters& parameters);
     CoupledStep(const CoupledStep&) = delete;
     CoupledStep& operator=(const CoupledStep&) = delete;
@@ -110,7 +110,7 @@ private:
     ParticleDynamics& dynamics_;
     ParticleStepper& stepper_;
     CouplingParameters parameters_;
-    core::Locator locator_;
+    const core::Locator& locator_;
     tasks::HaloFiller& halos_;
     core::HaloExchange plan_;
     ExchangeFields fields_;

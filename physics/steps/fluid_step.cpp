@@ -116,7 +116,9 @@ void FluidStep::declare_advection(tasks::StageGraph& graph)
         reads(halo(f.transport, 1), halo(state_.velocity, 3), halo(state_.velocity_before, 1), clock_), writes(f.index_velocity));
     graph.each_block(
         "trajectories",
-        [](LocalBlock, Vectors u, const FluidClock& clock, VectorView<double> out) { trajectories(u, clock.dt, out); },
+        [this](LocalBlock b, Vectors u, const FluidClock& clock, VectorView<double> out) {
+            require_within_reach(trajectories(u, clock.dt, out), mesh_.global(b), clock.dt);
+        },
         reads(f.index_velocity, clock_), writes(f.displacement));
     graph.each_block(
         "advect velocity",

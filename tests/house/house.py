@@ -19,7 +19,7 @@ def files_of_repository():
         folders[:] = sorted(f for f in folders if f not in SKIPPED_FOLDERS)
         for name in sorted(names):
             path = os.path.join(folder, name)
-            if os.path.isfile(path) and not name.endswith(BINARY):
+            if os.path.isfile(path) and name not in SKIPPED_FOLDERS and not name.endswith(BINARY):  # .git is a file in a linked worktree
                 with open(path, encoding="utf-8", errors="replace", newline="") as stream:
                     found[os.path.relpath(path, ROOT)] = stream.read()
     return found

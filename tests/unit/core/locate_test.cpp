@@ -42,6 +42,16 @@ std::vector<std::pair<core::Location, Vec3>> places(const Mesh& mesh, const Loca
 
 } // namespace
 
+TEST_CASE("the owner of a point is the rank that owns its cell, whoever asks")
+{
+    const Mesh first(pipe(), 0, 3), last(pipe(), 2, 3);
+    const Locator one(first), other(last);
+    for (const auto& [at, x] : places(first, one, 300)) {
+        CHECK(one.owner(x) == first.owner(at.block));
+        CHECK(other.owner(x) == first.owner(at.block));
+    }
+}
+
 TEST_CASE("points are found in the cells that hold them, from nothing and from any other cell")
 {
     for (const auto& grid : {pipe(), core::make_box({{0, 0, 0}, {1, 1, 1}, {8, 8, 8}, {2, 1, 2}, {true, false, false}},

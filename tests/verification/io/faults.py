@@ -145,6 +145,80 @@ def signals(bench, folder):
         expect_same_end(bench, "--ranks", str(then))
 
 
+def stopped_while_settling(bench, folder):
+    """Ctrl-C is heard while the grains settle; the rest is done after a restart, to the same state."""
+    settle = ["run.settle=0.2 s"]
+    running = subprocess.Popen(bench.command(*END, settings=settle), stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    for line in running.stdout:
+        if "settling for" in line:
+            break
+    running.send_signal(signal.SIGINT)
+    text, _ = running.communicate(timeout=120)
+    expect(running.returncode == STOPPED, f"exit code {running.returncode}:\n{text}")
+    expect_words(text, "stopped by Ctrl-C while the grains settled", "state saved")
+    bench.run(*END, "--restart", "--ranks", "2", settings=settle)
+    with tempfile.TemporaryDirectory() as other_folder:
+        other = Bench(bench.isago, pathlib.Path(other_folder))
+        other.run(*END, settings=settle)
+        expect(bench.digest() == other.digest(), "the end differs from that of an undisturbed run")
+
+
+def absurd_values(bench, folder):
+    """Each is refused before the first step, with the key that is to blame."""
+    for setting, word in (("particles.S.diameter=60 mm", "domain"), ("particles.S.count=1000000", "random placing"), ("particles.S.count=1.5", "count"),
+                          ("fluid.water.density=.nan kg/m3", "density"), ("fluid.water.viscosity=-1 m2/s", "viscosity"),
+                          ("fluid.drive.pressure_gradient=33 kPa", "Pa/m"), ("contact.restitution=2", "restitution"), ("run.time_step=0 s", "time_step"),
+                          ("grid.pipe.blocks_along=1000", "blocks"), ("solver.tolerance=10", "tolerance"), ("gravity.direction=q", "direction"),
+                          ("output.results=every 0 ms", "results"), ("particles=hello", "item")):
+        text = bench.run(settings=[setting], code=WRONG_SCENE)
+        expect_words(text, word)
+        expect(not bench.folder.exists(), f"{setting} has made a run directory")
+
+
+def grains_break_out(bench, folder):
+    """Springs that cannot hold the grains: the first that is lost is named, with and without water."""
+    for scene in (PIPE, CONFIGS / "settling_bed"):
+        shutil.rmtree(bench.folder, ignore_errors=True)
+        text = bench.run("--until", "1 s", scene=scene, settings=["contact.stiffness=1e-9 N/m", "run.settle=0.5 s"], code=FAILED)
+        expect_words(text, "particle ", "has left the domain", "too soft")
+
+
+def step_too_long(bench, folder):
+    """Water that would come from beyond the halo: named with its block and cell, not cut short. A step that is free becomes shorter."""
+    fast = ["fluid.drive.pressure_gradient=3e6 Pa/m", "run.limits.cfl=100", "run.limits.particle_move=100"]
+    text = bench.run("--until", "20 ms", settings=[*fast, "run.time_step=2 ms"], code=FAILED)
+    expect_words(text, "block ", "cell (", "stencils and halos reach 1", "make the step smaller")
+
+
+def place_that_cannot_be_written(bench, folder):
+    """Said in one sentence before anything is computed."""
+    (folder / "file").write_text("in the way")
+    bench.folder = folder / "file" / "run"
+    text = bench.run(code=WRONG_SCENE)
+    expect_words(text, "file")
+
+
+def no_room(bench, folder):
+    """A file system that fills up during the run: the earlier checkpoint is left, and the run goes on where there is room."""
+    room = folder / "room"
+    room.mkdir()
+    if subprocess.run(["mount", "-t", "tmpfs", "-o", "size=32m", "tmpfs", str(room)], capture_output=True).returncode != 0:
+        return  # only root may mount
+    try:
+        bench.folder = room / "run"
+        bench.run("--until", "0.2 ms")
+        before = bench.digest()
+        used = shutil.disk_usage(room)
+        (room / "ballast").write_bytes(bytes(used.free - bench.checkpoints()[-1].stat().st_size // 2))
+        text = bench.run(*END, "--restart", code=FAILED)
+        expect_words(text, "No space left on device")
+        expect(bench.digest() == before, "the earlier checkpoint was lost")
+        (room / "ballast").unlink()
+        expect_same_end(bench)
+    finally:
+        subprocess.run(["umount", str(room)], check=True)
+
+
 def killed(bench, folder):
     """kill -9 at any moment, in the middle of a checkpoint, too."""
     random_delay = random.Random(1)
@@ -187,8 +261,9 @@ def numbers_blow_up(bench, folder):
     expect(bench.digest() == before, "the last good state was lost")
 
 
-TESTS = [scene_with_mistakes, more_ranks_than_blocks, second_run_in_the_same_place, damaged_checkpoint, all_checkpoints_damaged, signals,
-         killed, full_disk, numbers_blow_up]
+TESTS = [scene_with_mistakes, absurd_values, more_ranks_than_blocks, second_run_in_the_same_place, place_that_cannot_be_written,
+         damaged_checkpoint, all_checkpoints_damaged, signals, stopped_while_settling, killed, full_disk, no_room, numbers_blow_up, grains_break_out,
+         step_too_long]
 
 
 def main():

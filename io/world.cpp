@@ -76,8 +76,8 @@ void World::settle_batch(const core::Team& team)
     std::int64_t grains = 0;
     for (const Species& s : scene_.particles) grains += s.count;
     // About a second of one core, yet enough sub-steps to make up for bringing every grain to its rank after them.
-    const double batch = std::clamp(1e7 / double(std::max<std::int64_t>(grains, 1)), 20.0, 200.0);
-    const int sub_steps = int(std::min(settling_left(), std::floor(batch)));
+    const double batch = std::max(20.0, std::floor(1e7 / double(std::max<std::int64_t>(grains, 1))));
+    const int sub_steps = int(std::min(settling_left(), batch));
     if (sub_steps == 0) return;
     const core::Communicator messages = ranks_.duplicate();
     physics::settle(*stepper_, physics::DryMotion{settling_gravity(scene_)}, sub_steps, team, messages);

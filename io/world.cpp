@@ -22,6 +22,14 @@ std::optional<core::Location> axis_cell(const core::Locator& locator, const Grid
     return locator.find(end);
 }
 
+/// Grains alone, each in the end on the rank that owns its place.
+void settle_grains(physics::ParticleStepper& stepper, const core::Vec3& gravity, int sub_steps, const core::Team& team, const core::Communicator& ranks)
+{
+    const core::Communicator messages = ranks.duplicate();
+    physics::settle(stepper, physics::DryMotion{gravity}, sub_steps, team, messages);
+    physics::hand_over(stepper, team, messages);
+}
+
 } // namespace
 
 World::World(const Scene& scene, const core::Communicator& ranks) : World(scene, make_blocks(scene.grid), ranks) {}
@@ -79,16 +87,18 @@ void World::settle_batch(const core::Team& team)
     const double batch = std::max(20.0, std::floor(1e7 / double(std::max<std::int64_t>(grains, 1))));
     const int sub_steps = int(std::min(settling_left(), batch));
     if (sub_steps == 0) return;
-    const core::Communicator messages = ranks_.duplicate();
-    physics::settle(*stepper_, physics::DryMotion{settling_gravity(scene_)}, sub_steps, team, messages);
-    physics::hand_over(*stepper_, team, messages);
+    settle_grains(*stepper_, settling_gravity(scene_), sub_steps, team, ranks_);
     settled_ += sub_steps;
     require_finite(*this);
 }
 
 void World::settle(const core::Team& team)
 {
-    while (settling_left() > 0) settle_batch(team);
+    while (settling_left() > 0) {
+        const int sub_steps = int(std::min(settling_left(), 1e9));
+        settle_grains(*stepper_, settling_gravity(scene_), sub_steps, team, ranks_);
+        settled_ += sub_steps;
+    }
 }
 
 void World::declare()

@@ -23,7 +23,8 @@ std::optional<core::Location> axis_cell(const core::Locator& locator, const Grid
 }
 
 /// Grains alone, each in the end on the rank that owns its place.
-void settle_grains(physics::ParticleStepper& stepper, const core::Vec3& gravity, int sub_steps, const core::Team& team, const core::Communicator& ranks)
+void settle_grains(physics::ParticleStepper& stepper, const core::Vec3& gravity, int sub_steps, const core::Team& team,
+                   const core::Communicator& ranks)
 {
     const core::Communicator messages = ranks.duplicate();
     physics::settle(stepper, physics::DryMotion{gravity}, sub_steps, team, messages);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/initial_flow.hpp"
 #include "core/comm/halo.hpp"
+#include "physics/fluid/boundary_halo.hpp"
 #include "physics/fluid/face_flux.hpp"
 
 namespace io {

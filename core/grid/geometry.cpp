@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/grid/geometry.hpp"
+#include "core/grid/gradient_matrices.hpp"
 #include "core/grid/hexahedron.hpp"
 #include "core/grid/mesh.hpp"
 
@@ -116,48 +117,6 @@ void fill_faces(BlockGeometry& g, const Topology& topology, const Vertices& v, B
     }
 }
 
-/// Inverse of a symmetric positive semi-definite matrix; directions without neighbours get no gradient.
-Mat3 pseudo_inverse(const Mat3& m)
-{
-    const Eigen::SelfAdjointEigenSolver<Mat3> solver(m);
-    const double largest = solver.eigenvalues().maxCoeff();
-    Mat3 inverse = Mat3::Zero();
-    for (int n = 0; n < 3; ++n) {
-        const double value = solver.eigenvalues()[n];
-        const Vec3 direction = solver.eigenvectors().col(n);
-        if (value > 1e-9 * largest) inverse += direction * direction.transpose() / value;
-    }
-    return inverse;
-}
-
-void fill_gradients(BlockGeometry& g, const Topology& topology, const Vertices& v, BlockId block)
-{
-    for (GradientMatrices* m : {&g.gradient, &g.wall_gradient})
-        for (auto* array : {&m->xx, &m->xy, &m->xz, &m->yy, &m->yz, &m->zz}) *array = Array3<double>(g.cells, 0, 0.0);
-    const auto store = [](GradientMatrices& m, Index3 c, const Mat3& a) {
-        m.xx(c.i, c.j, c.k) = a(0, 0);
-        m.xy(c.i, c.j, c.k) = a(0, 1);
-        m.xz(c.i, c.j, c.k) = a(0, 2);
-        m.yy(c.i, c.j, c.k) = a(1, 1);
-        m.yz(c.i, c.j, c.k) = a(1, 2);
-        m.zz(c.i, c.j, c.k) = a(2, 2);
-    };
-    for_each_cell(g.cells, [&](int i, int j, int k) {
-        const Index3 c{i, j, k};
-        Mat3 free = Mat3::Zero(), walls = Mat3::Zero();
-        for (Side s : all_sides) {
-            const int axis = axis_of(s);
-            const bool boundary = c[axis] == (is_high(s) ? g.cells[axis] - 1 : 0) && !topology.neighbour(block, s);
-            const Index3 face = is_high(s) ? shifted(c, axis, 1) : c;
-            const Vec3 d = (boundary ? face_shape(face_corners(v, axis, face)).centre : centre(g, shifted(c, axis, is_high(s) ? 1 : -1))) - centre(g, c);
-            const Mat3 part = d * d.transpose() / d.squaredNorm();
-            (boundary ? walls : free) += part;
-        }
-        store(g.gradient, c, pseudo_inverse(free));
-        store(g.wall_gradient, c, pseudo_inverse(free + walls));
-    });
-}
-
 void fill_inverse_jacobians(BlockGeometry& g)
 {
     constexpr int h = centre_halo - 1;
@@ -187,7 +146,11 @@ BlockGeometry make_geometry(const MultiBlock& grid, const Topology& topology, Bl
     for_each_cell(g.cells, [&](int i, int j, int k) { g.volume(i, j, k) = cell_shape(v, {i, j, k}).volume; });
     fill_centres(g, grid, topology, block);
     fill_faces(g, topology, v, block);
-    fill_gradients(g, topology, v, block);
+    std::array<bool, 6> inside{}, all;
+    all.fill(true);
+    for (const Side s : all_sides) inside[std::size_t(s)] = topology.neighbour(block, s).has_value();
+    g.gradient = gradient_matrices(g, inside);
+    g.wall_gradient = gradient_matrices(g, all);
     fill_inverse_jacobians(g);
     return g;
 }

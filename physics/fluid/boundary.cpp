@@ -2,53 +2,63 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "physics/fluid/boundary.hpp"
 #include "core/base/error.hpp"
+#include "core/grid/gradient_matrices.hpp"
+#include "core/grid/hexahedron.hpp"
+#include <algorithm>
 
 namespace physics {
+namespace {
 
-std::vector<BlockWalls> make_walls(const core::Mesh& mesh, const WallVelocities& velocities)
+BlockSide make_side(const core::Mesh& mesh, const core::Boundary& boundary, const BoundaryCondition& condition)
+{
+    const core::LocalBlock b = mesh.local(boundary.block);
+    const auto& geometry = mesh.geometry(b);
+    BlockSide side{condition.kind, SideVectors(condition.velocity), SideVectors(), condition.pressure};
+    if (condition.kind == BoundaryKind::inflow && condition.profile)
+        side.velocity = {geometry.cells, boundary.side, [&](core::Index3 face) {
+                             const auto corners = core::face_corners(mesh.vertices(boundary.block), core::axis_of(boundary.side), face);
+                             return condition.profile(core::face_shape(corners).centre);
+                         }};
+    if (slips(condition.kind) || condition.kind == BoundaryKind::outflow)
+        side.normal = {geometry.cells, boundary.side, [&](core::Index3 face) -> core::Vec3 {
+                           const core::Vec3 area = geometry.area(core::axis_of(boundary.side), face.i, face.j, face.k);
+                           return (core::is_high(boundary.side) ? area : core::Vec3(-area)).normalized();
+                       }};
+    return side;
+}
+
+std::optional<core::GradientMatrices> matrices_with_given_pressure(const core::BlockGeometry& geometry, const BlockWalls& walls)
+{
+    const auto takes_part = [](const BlockSide& s) { return s.gives_pressure() || s.kind == BoundaryKind::symmetry; };
+    if (std::none_of(walls.sides.begin(), walls.sides.end(), takes_part)) return std::nullopt;
+    std::array<bool, 6> part{};
+    for (const core::Side s : core::all_sides) part[std::size_t(s)] = !walls.at(s).kind || takes_part(walls.at(s));
+    return core::gradient_matrices(geometry, part);
+}
+
+} // namespace
+
+std::vector<BlockWalls> make_walls(const core::Mesh& mesh, const BoundaryConditions& conditions)
 {
     std::vector<BlockWalls> walls(std::size_t(mesh.own_count()));
-    WallVelocities unused = velocities;
+    BoundaryConditions unused = conditions;
     for (const core::Boundary& boundary : mesh.topology().boundaries) {
-        const auto moving = velocities.find(boundary.name);
+        const auto said = conditions.find(boundary.name);
         unused.erase(boundary.name);
-        const core::LocalBlock b = mesh.local(boundary.block);
-        if (b < 0) continue;
-        auto& block = walls[std::size_t(b)];
-        block.is_wall[std::size_t(boundary.side)] = true;
-        if (moving != velocities.end()) block.velocity[std::size_t(boundary.side)] = moving->second;
+        if (const core::LocalBlock b = mesh.local(boundary.block); b >= 0)
+            walls[std::size_t(b)].sides[std::size_t(boundary.side)] =
+                make_side(mesh, boundary, said != conditions.end() ? said->second : BoundaryCondition{});
     }
     core::require<core::ConfigError>(unused.empty(), core::text("no boundary is called '",
                                                                 unused.empty() ? "" : unused.begin()->first, "'"));
+    for (core::LocalBlock b = 0; b < mesh.own_count(); ++b)
+        walls[std::size_t(b)].pressure_matrices = matrices_with_given_pressure(mesh.geometry(b), walls[std::size_t(b)]);
     return walls;
 }
 
-void mirror_even(const BlockWalls& walls, int layers, core::View<double> q)
+const core::GradientMatrices& pressure_matrices(const core::BlockGeometry& geometry, const BlockWalls& walls)
 {
-    for_each_mirrored(walls, q.extents(), layers, [&](core::Side, core::Index3 inside, core::Index3 beyond) { q[beyond] = q[inside]; });
-}
-
-void mirror_component(const BlockWalls& walls, int component, int layers, core::View<double> velocity)
-{
-    for_each_mirrored(walls, velocity.extents(), layers, [&](core::Side side, core::Index3 inside, core::Index3 beyond) {
-        velocity[beyond] = 2 * walls.velocity[std::size_t(side)][component] - velocity[inside];
-    });
-}
-
-void mirror_velocity(const BlockWalls& walls, int layers, core::VectorView<double> velocity)
-{
-    for (int c = 0; c < 3; ++c) mirror_component(walls, c, layers, velocity.component(c));
-}
-
-void mirror_source(const BlockWalls& walls, int layers, core::VectorView<const double> velocity, core::VectorView<double> q)
-{
-    for (int c = 0; c < 3; ++c) {
-        const auto from = velocity.component(c);
-        const auto to = q.component(c);
-        for_each_mirrored(walls, to.extents(), layers, [&](core::Side, core::Index3 inside, core::Index3 beyond) {
-            to[beyond] = from[beyond] + (to[inside] - from[inside]);
-        });
-    }
+    return walls.pressure_matrices ? *walls.pressure_matrices : geometry.gradient;
 }
 
 } // namespace physics

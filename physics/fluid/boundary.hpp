@@ -1,56 +1,78 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// What holds at the walls of a block: halo values that make the stencils inside see the wall.
+// What holds on the boundaries of the domain, as said by the scene and as each block needs it.
 #include "core/grid/mesh.hpp"
+#include "physics/fluid/side_vectors.hpp"
+#include <algorithm>
+#include <functional>
 #include <map>
+#include <optional>
 #include <string>
 
 namespace physics {
 
-/// Velocity of the walls by boundary name [m/s]; walls that are not named stand still.
-using WallVelocities = std::map<std::string, core::Vec3>;
+enum class BoundaryKind : unsigned char {
+    wall,     ///< the fluid has the velocity of the wall
+    slip,     ///< it has that velocity across the wall and no friction along it
+    symmetry, ///< the same, and the pressure has no gradient across it: a plane that halves a symmetric flow
+    inflow,   ///< the velocity is given
+    outflow,  ///< the pressure is given; what flows back comes from fluid at rest, so that it cannot feed on itself
+    pressure  ///< the pressure is given; what flows in has the velocity of the cells inside
+};
 
-/// The sides of one block that are walls, and how these move.
+[[nodiscard]] inline bool slips(BoundaryKind kind) { return kind == BoundaryKind::slip || kind == BoundaryKind::symmetry; }
+[[nodiscard]] inline bool gives_pressure(BoundaryKind kind) { return kind == BoundaryKind::outflow || kind == BoundaryKind::pressure; }
+
+/// A boundary as the scene says it; a wall at rest unless something else is said.
+struct BoundaryCondition {
+    BoundaryKind kind = BoundaryKind::wall;
+    core::Vec3 velocity = core::Vec3::Zero();                       ///< of a wall or an inflow [m/s]
+    std::function<core::Vec3(const core::Vec3&)> profile = nullptr; ///< of an inflow by place [m/s]; instead of `velocity`
+    double pressure = 0;                                            ///< where it is given, without that of the drive [Pa]
+};
+
+/// By boundary name; boundaries that are not named are walls at rest.
+using BoundaryConditions = std::map<std::string, BoundaryCondition>;
+
+/// One side of a block.
+struct BlockSide {
+    std::optional<BoundaryKind> kind; ///< none: another block lies beyond
+    SideVectors velocity;             ///< of wall or inflow on each face [m/s]
+    SideVectors normal;               ///< outward, of unit length; where walls hold the fluid it is not needed and zero
+    double pressure = 0;              ///< where it is given [Pa]
+
+    [[nodiscard]] bool slips() const { return kind && physics::slips(*kind); }
+    [[nodiscard]] bool gives_pressure() const { return kind && physics::gives_pressure(*kind); }
+    /// Is the flux through it known?
+    [[nodiscard]] bool gives_flux() const { return kind && !gives_pressure(); }
+};
+
+/// The sides of one block.
 struct BlockWalls {
-    std::array<bool, 6> is_wall{};
-    std::array<core::Vec3, 6> velocity{core::Vec3::Zero(), core::Vec3::Zero(), core::Vec3::Zero(),
-                                       core::Vec3::Zero(), core::Vec3::Zero(), core::Vec3::Zero()};
+    std::array<BlockSide, 6> sides;
+    /// Least-squares gradients in which sides that give the pressure, or its gradient, take part; none if there are no such sides.
+    std::optional<core::GradientMatrices> pressure_matrices;
+
+    [[nodiscard]] const BlockSide& at(core::Side s) const { return sides[std::size_t(s)]; }
 };
 
 /// One entry for each block of this rank.
 /// @throws ConfigError for a name that no boundary has.
-[[nodiscard]] std::vector<BlockWalls> make_walls(const core::Mesh& mesh, const WallVelocities& velocities);
+[[nodiscard]] std::vector<BlockWalls> make_walls(const core::Mesh& mesh, const BoundaryConditions& conditions);
 
-/// Calls body(side, cell inside, cell beyond) for `layers` layers beyond every wall, the halo of the other directions
-/// included. Axis by axis, layer by layer: so edges and corners get filled, and blocks thinner than their halo.
-template <class Body>
-void for_each_mirrored(const BlockWalls& walls, core::Extents cells, int layers, Body body)
+/// Is any boundary of the domain, on whatever rank, of a kind that the test holds for?
+template <class Test>
+[[nodiscard]] bool any_boundary(const core::Mesh& mesh, const BoundaryConditions& conditions, Test holds)
 {
-    for (int axis = 0; axis < 3; ++axis)
-        for (int depth = 0; depth < layers; ++depth)
-            for (const bool high : {false, true}) {
-                const core::Side side = core::side_of(axis, high);
-                if (!walls.is_wall[std::size_t(side)]) continue;
-                core::Index3 first{-layers, -layers, -layers}, last{cells.ni + layers, cells.nj + layers, cells.nk + layers};
-                first[axis] = high ? cells[axis] + depth : -1 - depth;
-                last[axis] = first[axis] + 1;
-                const int inside = high ? cells[axis] - 1 - depth : depth;
-                core::for_each(first, last, [&](int i, int j, int k) {
-                    core::Index3 from{i, j, k};
-                    from[axis] = inside;
-                    body(side, from, core::Index3{i, j, k});
-                });
-            }
+    const auto& all = mesh.topology().boundaries;
+    return std::any_of(all.begin(), all.end(), [&](const core::Boundary& boundary) {
+        const auto said = conditions.find(boundary.name);
+        return holds(said == conditions.end() ? BoundaryKind::wall : said->second.kind);
+    });
 }
 
-/// Halo beyond walls: the value inside, so that nothing flows through the wall.
-void mirror_even(const BlockWalls& walls, int layers, core::View<double> q);
-/// Halo beyond walls: the wall has its own velocity, beyond it lies the mirror image.
-void mirror_velocity(const BlockWalls& walls, int layers, core::VectorView<double> velocity);
-/// One component of mirror_velocity().
-void mirror_component(const BlockWalls& walls, int component, int layers, core::View<double> velocity);
-/// Halo of q = velocity + increment beyond walls: velocity mirrored at the wall's, increment mirrored evenly.
-void mirror_source(const BlockWalls& walls, int layers, core::VectorView<const double> velocity, core::VectorView<double> q);
+/// For the gradient of a pressure whose halo mirror_pressure() has filled.
+[[nodiscard]] const core::GradientMatrices& pressure_matrices(const core::BlockGeometry& geometry, const BlockWalls& walls);
 
 } // namespace physics

@@ -7,7 +7,6 @@
 namespace physics {
 namespace {
 
-
 void gradient_flux_along(const core::FaceMetrics& face, int axis, core::View<const double> q,
                          core::VectorView<const double> g, core::View<double> flux)
 {
@@ -45,6 +44,19 @@ void interpolated_flux_along(const core::FaceMetrics& face, int axis, core::Vect
         }
 }
 
+/// T (q_boundary - q) on the faces of a side, q_boundary half way to the mirror image.
+void side_gradient_flux(const core::BlockGeometry& geometry, core::Side side, core::View<const double> q, core::FaceView<double> flux)
+{
+    const int axis = core::axis_of(side);
+    const std::ptrdiff_t back = q.stride(axis);
+    const auto f = flux.along(axis);
+    const auto t = geometry.face[std::size_t(axis)].transmissibility.view();
+    for_each_side_face(geometry.cells, side, [&](int i, int j, int k) {
+        const std::ptrdiff_t c = q.offset(i, j, k);
+        f(i, j, k) = t(i, j, k) * 0.5 * (q.at(c) - q.at(c - back));
+    });
+}
+
 } // namespace
 
 void gradient_flux(const core::BlockGeometry& geometry, core::View<const double> q, core::VectorView<const double> gradients,
@@ -58,7 +70,7 @@ void close_walls(const BlockWalls& walls, core::FaceView<double> flux)
 {
     const core::Extents cells{flux.j.extents().ni, flux.i.extents().nj, flux.i.extents().nk};
     for (const core::Side side : core::all_sides) {
-        if (!walls.is_wall[std::size_t(side)]) continue;
+        if (!walls.at(side).gives_flux()) continue;
         const auto f = flux.along(core::axis_of(side));
         for_each_side_face(cells, side, [&](int i, int j, int k) { f(i, j, k) = 0; });
     }
@@ -67,17 +79,16 @@ void close_walls(const BlockWalls& walls, core::FaceView<double> flux)
 void wall_gradient_flux(const core::BlockGeometry& geometry, const BlockWalls& walls, core::View<const double> q,
                         core::FaceView<double> flux)
 {
-    for (const core::Side side : core::all_sides) {
-        if (!walls.is_wall[std::size_t(side)]) continue;
-        const int axis = core::axis_of(side);
-        const std::ptrdiff_t back = q.stride(axis);
-        const auto f = flux.along(axis);
-        const auto t = geometry.face[std::size_t(axis)].transmissibility.view();
-        for_each_side_face(geometry.cells, side, [&](int i, int j, int k) {
-            const std::ptrdiff_t c = q.offset(i, j, k);
-            f(i, j, k) = t(i, j, k) * 0.5 * (q.at(c) - q.at(c - back));
-        });
-    }
+    for (const core::Side side : core::all_sides)
+        if (walls.at(side).kind) side_gradient_flux(geometry, side, q, flux);
+}
+
+void pressure_wall_flux(const core::BlockGeometry& geometry, const BlockWalls& walls, core::View<const double> pressure,
+                        core::FaceView<double> flux)
+{
+    close_walls(walls, flux);
+    for (const core::Side side : core::all_sides)
+        if (walls.at(side).gives_pressure()) side_gradient_flux(geometry, side, pressure, flux);
 }
 
 void interpolated_flux(const core::BlockGeometry& geometry, const BlockWalls& walls, core::VectorView<const double> u,
@@ -91,12 +102,12 @@ void interpolated_flux(const core::BlockGeometry& geometry, const BlockWalls& wa
 void wall_flux(const core::BlockGeometry& geometry, const BlockWalls& walls, core::FaceView<double> flux)
 {
     for (const core::Side side : core::all_sides) {
-        if (!walls.is_wall[std::size_t(side)]) continue;
+        if (!walls.at(side).gives_flux()) continue;
         const int axis = core::axis_of(side);
         const auto f = flux.along(axis);
-        const core::Vec3& velocity = walls.velocity[std::size_t(side)];
+        const SideVectors& velocity = walls.at(side).velocity;
         for_each_side_face(geometry.cells, side,
-                           [&](int i, int j, int k) { f(i, j, k) = geometry.area(axis, i, j, k).dot(velocity); });
+                           [&](int i, int j, int k) { f(i, j, k) = geometry.area(axis, i, j, k).dot(velocity[{i, j, k}]); });
     }
 }
 

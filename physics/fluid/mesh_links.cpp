@@ -37,7 +37,6 @@ void add_interface(const core::Mesh& mesh, const core::Interface& f, MeshLinks& 
 void add_wall(const core::Mesh& mesh, const core::Boundary& boundary, MeshLinks& links)
 {
     const core::LocalBlock block = mesh.local(boundary.block);
-    if (block < 0) return;
     const int axis = core::axis_of(boundary.side);
     const auto transmissibility = mesh.geometry(block).face[std::size_t(axis)].transmissibility.view();
     const core::Extents n = mesh.cells(boundary.block);
@@ -50,7 +49,7 @@ void add_wall(const core::Mesh& mesh, const core::Boundary& boundary, MeshLinks&
 
 } // namespace
 
-MeshLinks make_mesh_links(const core::Mesh& mesh, int rank, BehindWalls walls)
+MeshLinks make_mesh_links(const core::Mesh& mesh, int rank, const std::function<bool(const core::Boundary&)>& gives_value)
 {
     MeshLinks links;
     links.topology.cells = mesh.topology().cells;
@@ -58,8 +57,8 @@ MeshLinks make_mesh_links(const core::Mesh& mesh, int rank, BehindWalls walls)
     links.topology.rank = rank;
     for (const core::Interface& f : mesh.topology().interfaces)
         if (mesh.owner(f.a) == rank || mesh.owner(f.b) == rank) add_interface(mesh, f, links);
-    if (walls == BehindWalls::value)
-        for (const core::Boundary& boundary : mesh.topology().boundaries) add_wall(mesh, boundary, links);
+    for (const core::Boundary& boundary : mesh.topology().boundaries)
+        if (mesh.owner(boundary.block) == rank && gives_value(boundary)) add_wall(mesh, boundary, links);
     return links;
 }
 

@@ -4,6 +4,7 @@
 // What the linear solvers need of the mesh: links between the sides of blocks with their two-point transmissibilities.
 #include "core/grid/mesh.hpp"
 #include "physics/fluid/block_topology.hpp"
+#include <functional>
 
 namespace physics {
 
@@ -12,14 +13,10 @@ struct MeshLinks {
     std::vector<double> transmissibility; ///< of each link [m]
 };
 
-/// What lies behind walls.
-enum class BehindWalls {
-    nothing, ///< no flux: the pressure
-    value    ///< the unknown is given: velocity
-};
-
 /// Links of all sides that touch a block of this rank. Each transmissibility comes from the vertices of the same block on
 /// every rank, so that its bits do not depend on the number of ranks.
-[[nodiscard]] MeshLinks make_mesh_links(const core::Mesh& mesh, int rank, BehindWalls walls);
+/// @param gives_value  Is the unknown given on this boundary? Asked for those of this rank; elsewhere nothing flows.
+[[nodiscard]] MeshLinks make_mesh_links(
+    const core::Mesh& mesh, int rank, const std::function<bool(const core::Boundary&)>& gives_value = [](const core::Boundary&) { return false; });
 
 } // namespace physics

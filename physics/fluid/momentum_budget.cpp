@@ -1,18 +1,19 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #include "physics/fluid/momentum_budget.hpp"
+#include "physics/fluid/boundary_halo.hpp"
 #include "physics/fluid/cell_loops.hpp"
 #include "physics/fluid/face_flux.hpp"
 
 namespace physics {
 namespace {
 
-/// Calls body(side, cell inside, index of the face along the axis of the side) for every face on a wall.
+/// Calls body(side, cell inside, index of the face along the axis of the side) for every face on a boundary.
 template <class Body>
 void for_each_wall_face(const core::BlockGeometry& geometry, const BlockWalls& walls, Body body)
 {
     for (const core::Side side : core::all_sides)
-        if (walls.is_wall[std::size_t(side)])
+        if (walls.at(side).kind)
             for_each_side_face(geometry.cells, side, [&](int i, int j, int k) {
                 core::Index3 inside{i, j, k};
                 if (core::is_high(side)) --inside[core::axis_of(side)];
@@ -34,19 +35,32 @@ core::Vec3 wall_friction(const core::BlockGeometry& geometry, const BlockWalls& 
 {
     core::Vec3 sum = core::Vec3::Zero();
     for_each_wall_face(geometry, walls, [&](core::Side side, core::Index3 c, core::Index3 face) {
-        const auto n = std::size_t(side);
         const core::Vec3 u(velocity.x[c], velocity.y[c], velocity.z[c]);
-        sum += geometry.face[std::size_t(core::axis_of(side))].transmissibility.view()[face] * (walls.velocity[n] - u);
+        const double transmissibility = geometry.face[std::size_t(core::axis_of(side))].transmissibility.view()[face];
+        sum += 0.5 * transmissibility * (mirrored(walls.at(side), c, u) - u);
     });
     return sum;
 }
 
-core::Vec3 wall_push(const core::BlockGeometry& geometry, const BlockWalls& walls, core::View<const double> pressure)
+core::Vec3 wall_push(const core::BlockGeometry& geometry, const BlockWalls& walls, core::View<const double> pressure, double share)
 {
     core::Vec3 sum = core::Vec3::Zero();
     for_each_wall_face(geometry, walls, [&](core::Side side, core::Index3 c, core::Index3 face) {
         const core::Vec3 area = geometry.area(core::axis_of(side), face.i, face.j, face.k);
-        sum += (core::is_high(side) ? -pressure[c] : pressure[c]) * area;
+        const double at_wall = walls.at(side).gives_pressure() ? share * walls.at(side).pressure : pressure[c];
+        sum += (core::is_high(side) ? -at_wall : at_wall) * area;
+    });
+    return sum;
+}
+
+core::Vec3 through_flow(const core::BlockGeometry& geometry, const BlockWalls& walls, core::FaceView<const double> flux,
+                        core::VectorView<const double> velocity)
+{
+    core::Vec3 sum = core::Vec3::Zero();
+    for_each_wall_face(geometry, walls, [&](core::Side side, core::Index3 c, core::Index3 face) {
+        const core::Vec3 u(velocity.x[c], velocity.y[c], velocity.z[c]);
+        const double through = flux.along(core::axis_of(side))[face];
+        sum += 0.5 * (core::is_high(side) ? -through : through) * (mirrored(walls.at(side), c, u) + u);
     });
     return sum;
 }

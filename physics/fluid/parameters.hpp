@@ -28,7 +28,7 @@ struct FluidParameters {
     double density = 1000;            ///< [kg/m3]
     double viscosity = 1e-6;          ///< kinematic [m2/s]; 0 leaves all viscous stages out
     Drive drive = ConstantDrive{};
-    WallVelocities walls;
+    BoundaryConditions boundaries;
     FluidTolerances tolerances;
 };
 

@@ -31,11 +31,12 @@ void add_pressure_smoothing_along(const core::FaceMetrics& face, int axis, doubl
 
 } // namespace
 
-void add_pressure_smoothing(const core::BlockGeometry& geometry, double mobility, double diffusion,
+void add_pressure_smoothing(const core::BlockGeometry& geometry, const BlockWalls& walls, double mobility, double diffusion,
                             core::View<const double> pressure, core::VectorView<const double> pressure_gradient,
                             core::FaceView<double> scratch, core::FaceView<double> flux)
 {
     gradient_flux(geometry, pressure, pressure_gradient, scratch);
+    pressure_wall_flux(geometry, walls, pressure, scratch);
     for (int axis = 0; axis < 3; ++axis)
         add_pressure_smoothing_along(geometry.face[std::size_t(axis)], axis, mobility, diffusion, pressure_gradient,
                                      scratch.along(axis), flux.along(axis));
@@ -45,7 +46,7 @@ void correct_flux(const core::BlockGeometry& geometry, const BlockWalls& walls, 
                   core::VectorView<const double> psi_gradient, core::FaceView<double> scratch, core::FaceView<double> flux)
 {
     gradient_flux(geometry, psi, psi_gradient, scratch);
-    close_walls(walls, scratch);
+    pressure_wall_flux(geometry, walls, psi, scratch);
     map_faces(flux, [](double f, double s) { return f - s; }, flux, scratch);
 }
 

@@ -13,7 +13,7 @@ namespace physics {
 /// @param diffusion  Of the implicit viscosity, share * dt * viscosity [m2]: it damps what the pressure does to the
 ///                   velocity from cell to cell, and must do the same here, or stiff viscosity makes the pressure grow.
 /// @param scratch    Overwritten.
-void add_pressure_smoothing(const core::BlockGeometry& geometry, double mobility, double diffusion,
+void add_pressure_smoothing(const core::BlockGeometry& geometry, const BlockWalls& walls, double mobility, double diffusion,
                             core::View<const double> pressure, core::VectorView<const double> pressure_gradient,
                             core::FaceView<double> scratch, core::FaceView<double> flux);
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 // CoupledStep, the cells' side: predictor, volume flux of the mixture, projection, correction.
+#include "physics/fluid/boundary_halo.hpp"
 #include "physics/fluid/advection_lcsi.hpp"
 #include "physics/fluid/cell_loops.hpp"
 #include "physics/fluid/flux_memory.hpp"

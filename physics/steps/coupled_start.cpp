@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // CoupledStep before a step: the filter and the fluid fraction of a new state, and how stiff its coupling is.
 #include "physics/coupling/drag.hpp"
+#include "physics/fluid/boundary_halo.hpp"
 #include "physics/fluid/cell_loops.hpp"
 #include "physics/fluid/mobility.hpp"
 #include "physics/steps/coupled_step.hpp"
@@ -37,7 +38,7 @@ tasks::Job CoupledStep::find_fraction(tasks::Lane& lane)
 {
     const core::ScalarField volume = volumes(mesh_);
     const core::FaceField faces = transmissibilities(mesh_);
-    const MeshLinks links = make_mesh_links(mesh_, ranks_.rank(), BehindWalls::nothing);
+    const MeshLinks links = make_mesh_links(mesh_, ranks_.rank());
     for (LaneFilter* filter : {&filter_, fluid_filter_.get()})
         if (filter) co_await set_up(lane, filter->own, {&faces, links.transmissibility, nullptr}, volume);
     co_await sum_over_grains(lane, {dynamics_.particles, fields_.told, 0.0}, places_.get(), filter_.own, fields_.sums);

@@ -17,7 +17,7 @@ CoupledStep::CoupledStep(const core::Locator& locator, const core::Communicator&
     : mesh_(locator.mesh()), ranks_(ranks), fluid_(fluid), dynamics_(grains), stepper_(stepper), parameters_(parameters), locator_(locator),
       halos_(halos), plan_(mesh_, ranks, 1, 1, core::HaloShape::full), fields_(mesh_),
       exchange_(parameters, add_wet_columns(grains.particles), add_exchange_columns(grains.particles, parameters)),
-      filter_("filter", make_mesh_links(mesh_, ranks.rank(), BehindWalls::nothing).topology, parameters.filter_width),
+      filter_("filter", make_mesh_links(mesh_, ranks.rank()).topology, parameters.filter_width),
       face_mobility_({"mobility on faces", "m3 s/kg", 0, false}, mesh_.own_cells()),
       known_face_mobility_({"mobility of the known pressure on faces", "m3 s/kg", 0, false}, mesh_.own_cells()),
       grains_("grains", grains), clock_("fluid clock", fluid.state().clock), places_("places of grains"), kept_("grains at the start"),

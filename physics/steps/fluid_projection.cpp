@@ -54,7 +54,7 @@ void FluidStep::declare_known_pressure(tasks::StageGraph& graph)
         [this](LocalBlock b, View<const double> p, Vectors gp, FaceView<const double> remembered, const FluidClock& clock,
                FaceView<double> scratch, FaceView<double> flux) {
             const double diffusion = clock.implicit_share() * clock.dt * parameters_.viscosity;
-            add_pressure_smoothing(geometry(b), clock.dt / parameters_.density, diffusion, p, gp, scratch, flux);
+            add_pressure_smoothing(geometry(b), walls_of(b), clock.dt / parameters_.density, diffusion, p, gp, scratch, flux);
             wall_flux(geometry(b), walls_of(b), flux);
             add_remembered(clock.memory(), remembered, flux);
         },
@@ -80,7 +80,7 @@ void FluidStep::declare_impulse_gradient(tasks::StageGraph& graph)
 {
     graph.each_block(
         "gradient of pressure impulse",
-        [this](LocalBlock b, View<const double> psi, VectorView<double> out) { gradient(geometry(b), geometry(b).gradient, psi, out); },
+        [this](LocalBlock b, View<const double> psi, VectorView<double> out) { gradient(geometry(b), pressure_matrices(geometry(b), walls_of(b)), psi, out); },
         reads(halo(fields_.psi, 1)), writes(fields_.psi_gradient));
 }
 
@@ -132,21 +132,23 @@ void FluidStep::declare_budget(tasks::StageGraph& graph)
     graph.each_block(
         "momentum budget",
         [this](LocalBlock b, Vectors u, Vectors before, Vectors source, Vectors advected, Vectors gp, Vectors predicted, Vectors psi_gradient,
-               View<const double> pressure, View<const double> impulse, const FluidClock& clock, MomentumBudget& budget) {
+               View<const double> pressure, View<const double> impulse, FaceView<const double> carrier, const FluidClock& clock,
+               MomentumBudget& budget) {
             const auto sum = [&](Vectors q) { return volume_sum(geometry(b), q); };
             const double dt = clock.dt, per_density = dt / parameters_.density, implicit = clock.implicit_share();
             const double volume = sum_cells([](double v) { return v; }, geometry(b).volume.view());
             budget.before = sum(before);
             budget.after = sum(u);
-            budget.advection = sum(advected) - sum(source);
+            budget.through = dt * through_flow(geometry(b), walls_of(b), carrier, before);
+            budget.advection = sum(advected) - sum(source) - budget.through;
             budget.drive = dt * volume * mean_acceleration(parameters_.drive, clock.drive, clock.time, dt);
-            budget.pressure = per_density * wall_push(geometry(b), walls_of(b), pressure) + wall_push(geometry(b), walls_of(b), impulse);
+            budget.pressure = per_density * wall_push(geometry(b), walls_of(b), pressure, 1) + wall_push(geometry(b), walls_of(b), impulse, 0);
             budget.gradient = -per_density * sum(gp) - sum(psi_gradient) - budget.pressure;
             budget.viscosity = dt * parameters_.viscosity * ((1 - implicit) * wall_friction(geometry(b), walls_of(b), before) +
                                                              implicit * wall_friction(geometry(b), walls_of(b), predicted));
         },
         reads(state_.velocity, state_.velocity_before, f.source, f.advected, f.pressure_gradient, f.predicted, f.psi_gradient,
-              state_.pressure, f.psi, clock_),
+              state_.pressure, f.psi, state_.flux, clock_),
         writes(budget_));
     graph.sink(budget_, "budget");
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "physics/steps/fluid_step.hpp"
 #include "physics/fluid/advection_lcsi.hpp"
+#include "physics/fluid/boundary_halo.hpp"
+#include "physics/fluid/boundary_paths.hpp"
 #include "physics/fluid/cell_loops.hpp"
 #include "physics/fluid/gradient.hpp"
 #include "physics/fluid/quasi_monotone.hpp"
@@ -12,17 +14,23 @@ using core::FaceView, core::LocalBlock, core::VectorView, core::View;
 using tasks::halo, tasks::reads, tasks::updates, tasks::writes;
 
 FluidStep::FluidStep(const core::Mesh& mesh, const core::Communicator& ranks, tasks::HaloFiller& halos, const FluidParameters& parameters)
-    : mesh_(mesh), halos_(halos), parameters_(parameters), walls_(make_walls(mesh, parameters.walls)), state_(mesh), fields_(mesh),
-      clock_("fluid clock", state_.clock), pressure_system_({mesh, walls_, halos}, ranks, parameters.tolerances),
+    : mesh_(mesh), halos_(halos), parameters_(parameters), walls_(make_walls(mesh, parameters.boundaries)), state_(mesh), fields_(mesh),
+      clock_("fluid clock", state_.clock), pressure_system_(system_context(), ranks, parameters.tolerances),
       budget_("momentum budget", std::size_t(mesh.own_count()))
 {
     if (parameters_.viscosity > 0)
-        viscosity_system_ = std::make_unique<ViscositySystem>(SystemContext{mesh_, walls_, halos}, pressure_system_.layout(), parameters_.tolerances);
+        viscosity_system_ = std::make_unique<ViscositySystem>(system_context(), pressure_system_.layout(), parameters_.tolerances);
     for (const core::BlockId b : mesh.own()) singular_axes_.push_back(singular_axes(mesh.topology(), b));
     state_.velocity.allocate();
     state_.velocity_before.allocate();
     state_.pressure.allocate();
     state_.flux.allocate();
+}
+
+SystemContext FluidStep::system_context() const
+{
+    const auto any = [this](auto holds) { return any_boundary(mesh_, parameters_.boundaries, holds); };
+    return {mesh_, walls_, halos_, any(gives_pressure), any(slips)};
 }
 
 void FluidStep::declare(tasks::StageGraph& graph)
@@ -43,7 +51,7 @@ void FluidStep::declare_pressure_gradient(tasks::StageGraph& graph)
 {
     graph.each_block(
         "gradient of pressure",
-        [this](LocalBlock b, View<const double> p, VectorView<double> gp) { gradient(geometry(b), geometry(b).gradient, p, gp); },
+        [this](LocalBlock b, View<const double> p, VectorView<double> gp) { gradient(geometry(b), pressure_matrices(geometry(b), walls_of(b)), p, gp); },
         reads(halo(state_.pressure, 1)), writes(fields_.pressure_gradient));
 }
 
@@ -82,8 +90,12 @@ void FluidStep::declare_boundaries(tasks::StageGraph& graph)
                    [this](LocalBlock b, VectorView<double> u) { mirror_velocity(walls_of(b), 1, u); });
     graph.boundary(fields_.predicted, "walls of predicted velocity",
                    [this](LocalBlock b, VectorView<double> u) { mirror_velocity(walls_of(b), 1, u); });
-    graph.boundary(state_.pressure, "walls of pressure", [this](LocalBlock b, View<double> p) { mirror_even(walls_of(b), 1, p); });
-    graph.boundary(fields_.psi, "walls of pressure impulse", [this](LocalBlock b, View<double> p) { mirror_even(walls_of(b), 1, p); });
+    graph.boundary(state_.pressure, "walls of pressure", [this](LocalBlock b, View<double> p) { mirror_pressure(walls_of(b), 1, p); });
+    graph.boundary(fields_.psi, "walls of pressure impulse",
+                   [this](LocalBlock b, View<double> p) { mirror_pressure_change(walls_of(b), 1, p); });
+    graph.boundary(fields_.pressure_gradient, "walls of pressure gradient", [this](LocalBlock b, VectorView<double> g) {
+        for (int c = 0; c < 3; ++c) mirror_even(walls_of(b), 1, g.component(c));
+    });
     graph.boundary(
         fields_.source, "walls of velocity to advect",
         [this](LocalBlock b, VectorView<double> q, Vectors u) { mirror_source(walls_of(b), 3, u, q); }, reads(halo(state_.velocity, 3)));
@@ -118,6 +130,7 @@ void FluidStep::declare_advection(tasks::StageGraph& graph)
         "trajectories",
         [this](LocalBlock b, Vectors u, const FluidClock& clock, VectorView<double> out) {
             require_within_reach(trajectories(u, clock.dt, out), mesh_.global(b), clock.dt);
+            end_at_boundaries(walls_of(b), out);
         },
         reads(f.index_velocity, clock_), writes(f.displacement));
     graph.each_block(

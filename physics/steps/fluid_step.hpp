@@ -70,6 +70,7 @@ public:
 
 private:
     using Vectors = core::VectorView<const double>;
+    [[nodiscard]] SystemContext system_context() const;
     void velocity_gradients(core::LocalBlock b, Vectors u, const std::array<core::VectorView<double>, 3>& out) const;
     void viscous_acceleration(core::LocalBlock b, Vectors u, const std::array<Vectors, 3>& gradients, core::FaceView<double> scratch,
                               core::VectorView<double> out) const;

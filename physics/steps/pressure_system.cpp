@@ -9,11 +9,13 @@
 namespace physics {
 
 PressureSystem::PressureSystem(const SystemContext& context, const core::Communicator& ranks, const FluidTolerances& tolerances)
-    : context_(context), links_(make_mesh_links(context.mesh, ranks.rank(), BehindWalls::nothing)),
-      link_faces_(link_faces(context.mesh, links_)), solver_(links_.topology, MultigridOptions{}, ranks),
+    : context_(context), links_(make_mesh_links(context.mesh, ranks.rank(), [&](const core::Boundary& boundary) {
+          return context.walls[std::size_t(context.mesh.local(boundary.block))].at(boundary.side).gives_pressure();
+      })),
+      link_faces_(link_faces(context.mesh, links_)), solver_(links_.topology, {.singular = !context.pressure_is_given}, ranks),
       unknown_(context, solver_.layout(), "pressure change"),
       coefficients_({"mobile transmissibility", "", 0, false}, context.mesh.own_cells()), link_coefficients_(links_.transmissibility),
-      right_(solver_.layout().size(), 0.0), solution_(solver_.layout().size(), 0.0), norms_(context.mesh, tolerances)
+      right_(solver_.layout().size(), 0.0), solution_(solver_.layout().size(), 0.0), norms_(context.mesh, tolerances, !context.pressure_is_given)
 {
     coefficients_.allocate();
 }
@@ -35,7 +37,7 @@ tasks::Job PressureSystem::load(tasks::Lane& lane)
 
 tasks::Job PressureSystem::apply(tasks::Lane& lane, std::span<const double> in, std::span<double> out)
 {
-    co_await unknown_.form_fluxes(lane, BehindWalls::nothing, in);
+    co_await unknown_.form_fluxes(lane, std::nullopt, in);
     unknown_.for_blocks(lane, [&](core::LocalBlock b) {
         if (mobility_) scale_by_mobility(mobility_->on(b), unknown_.flux.on(b));
         const auto outflow = solver_.layout().view(b, out);

@@ -15,8 +15,9 @@ namespace physics {
 
 class ProjectionNorms {
 public:
-    ProjectionNorms(const core::Mesh& mesh, const FluidTolerances& tolerances)
-        : mesh_(mesh), tolerances_(tolerances), sums_(2 * std::size_t(mesh.blocks()))
+    /// @param singular  Is the pressure known up to a constant?
+    ProjectionNorms(const core::Mesh& mesh, const FluidTolerances& tolerances, bool singular)
+        : mesh_(mesh), tolerances_(tolerances), singular_(singular), sums_(2 * std::size_t(mesh.blocks()))
     {
     }
 
@@ -47,7 +48,7 @@ public:
         options.relative = 1e-13; // round-off: the tolerance proper is absolute
         options.absolute = tolerances_.pressure_target(through_, out_, share);
         options.most_iterations = tolerances_.most_iterations;
-        options.singular = true;
+        options.singular = singular_;
         options.from_zero = true;
         // Fluxes cancel to round-off of themselves, however small what is left of them.
         options.largest_defect = std::max(options.largest_defect, out_ > 0 ? 1e-12 * through_ / out_ : 0.0);
@@ -57,6 +58,7 @@ public:
 private:
     const core::Mesh& mesh_;
     FluidTolerances tolerances_;
+    bool singular_;
     std::vector<double> sums_;
     double through_ = 0, out_ = 0;
 };

@@ -5,9 +5,10 @@
 // are flat; here they are spread over the blocks.
 #include "core/grid/mesh.hpp"
 #include "physics/fluid/block_layout.hpp"
-#include "physics/fluid/boundary.hpp"
+#include "physics/fluid/boundary_halo.hpp"
 #include "physics/fluid/mesh_links.hpp"
 #include "tasks/stage_graph.hpp"
+#include <optional>
 
 namespace physics {
 
@@ -16,6 +17,8 @@ struct SystemContext {
     const core::Mesh& mesh;
     const std::vector<BlockWalls>& walls; ///< of each block of this rank
     tasks::HaloFiller& halos;
+    bool pressure_is_given = false; ///< on some boundary of the domain
+    bool walls_slip = false;        ///< somewhere in the domain
 };
 
 class Unknown {
@@ -30,9 +33,10 @@ public:
         lane.team().run(context_.mesh.own_count(), [&](int b) { body(core::LocalBlock(b)); });
     }
 
-    /// Spreads `in`, fills halos, mirrors at walls, forms the fluxes of the gradient.
+    /// Spreads `in`, fills halos, mirrors at boundaries, forms the fluxes of the gradient.
+    /// @param component  Of a change of velocity; none: `in` is a change of pressure.
     /// @post flux holds the compact flux of grad `in`.
-    tasks::Job form_fluxes(tasks::Lane& lane, BehindWalls walls, std::span<const double> in);
+    tasks::Job form_fluxes(tasks::Lane& lane, std::optional<int> component, std::span<const double> in);
 
     core::ScalarField value;
     core::VectorField gradient;

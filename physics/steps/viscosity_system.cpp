@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #include "physics/steps/viscosity_system.hpp"
+#include "core/base/error.hpp"
+#include "physics/fluid/boundary_halo.hpp"
 #include "physics/fluid/cell_loops.hpp"
 #include "physics/fluid/diffusion.hpp"
 #include "physics/fluid/gradient.hpp"
@@ -38,7 +40,7 @@ ViscositySystem::ViscositySystem(const SystemContext& context, const BlockLayout
 
 tasks::Job ViscositySystem::apply(tasks::Lane& lane, std::span<const double> in, std::span<double> out)
 {
-    co_await unknown_.form_fluxes(lane, BehindWalls::value, in);
+    co_await unknown_.form_fluxes(lane, component_, in);
     unknown_.for_blocks(lane, [&](core::LocalBlock b) {
         const auto result = layout_.view(b, out);
         net_outflow(unknown_.flux.on(b), result);
@@ -136,11 +138,21 @@ tasks::Job ViscositySystem::solve(tasks::Lane& lane, double diffusion, core::Vec
     options.most_iterations = tolerances_.most_iterations;
     options.from_zero = true;
     options.unknown = "velocity";
-    for (int c = 0; c < 3; ++c) co_await solve_component(lane, c, options, velocity);
+    // Slip walls that lie across the axes join the components: these are then solved in turn.
+    constexpr int most_turns = 50;
+    for (int turn = 0; turn < most_turns; ++turn) {
+        for (int c = 0; c < 3; ++c) co_await solve_component(lane, c, options, velocity, change);
+        if (!context_.walls_slip) co_return;
+        co_await form_residual(lane, change, velocity, norms);
+        if (norms.residual <= target) co_return;
+    }
+    throw core::NumericsError("implicit viscosity: the components of the velocity, joined by slip walls, did not settle");
 }
 
-tasks::Job ViscositySystem::solve_component(tasks::Lane& lane, int component, const KrylovOptions& options, core::VectorField& velocity)
+tasks::Job ViscositySystem::solve_component(tasks::Lane& lane, int component, const KrylovOptions& options, core::VectorField& velocity,
+                                            core::VectorField& change)
 {
+    component_ = component;
     std::fill(solution_.begin(), solution_.end(), 0.0);
     unknown_.for_blocks(lane, [&](core::LocalBlock b) {
         map_cells(layout_.view(b, right_), [](double r) { return r; }, residual_.on(b).component(component));
@@ -149,8 +161,8 @@ tasks::Job ViscositySystem::solve_component(tasks::Lane& lane, int component, co
     co_await drive(lane, bicgstab(lane.team(), workspace_, options, right_, solution_, report), *this);
     iterations_ += 2 * report.iterations;
     unknown_.for_blocks(lane, [&](core::LocalBlock b) {
-        const auto u = velocity.on(b).component(component);
-        map_cells(u, [](double old, double x) { return old + x; }, u, layout_.view(b, solution_));
+        for (const auto x : {velocity.on(b).component(component), change.on(b).component(component)})
+            map_cells(x, [](double old, double step) { return old + step; }, x, layout_.view(b, solution_));
     });
 }
 

@@ -16,7 +16,7 @@ public:
     /// Jacobi's iteration, which suffices where little diffuses from cell to cell in a step; where it is slow, BiCGSTAB goes on.
     /// @param diffusion  share * dt * viscosity [m2].
     /// @param velocity   w in, u out [m/s].
-    /// @param change     First guess of u - w in; overwritten [m/s].
+    /// @param change     First guess of u - w in, u - w out [m/s].
     tasks::Job solve(tasks::Lane& lane, double diffusion, core::VectorField& velocity, core::VectorField& change);
 
     /// Of the last solve: products with the operator.
@@ -32,7 +32,7 @@ private:
     };
     tasks::Job form_residual(tasks::Lane& lane, const core::VectorField& change, core::VectorField& velocity, Norms& norms);
     void correct(tasks::Lane& lane, core::VectorField& velocity, core::VectorField& change) const;
-    tasks::Job solve_component(tasks::Lane& lane, int component, const KrylovOptions& options, core::VectorField& velocity);
+    tasks::Job solve_component(tasks::Lane& lane, int component, const KrylovOptions& options, core::VectorField& velocity, core::VectorField& change);
 
     SystemContext context_;
     FluidTolerances tolerances_;
@@ -45,6 +45,7 @@ private:
     core::FaceField flux_;
     std::vector<double> right_, solution_, sums_;
     double diffusion_ = 0;
+    int component_ = 0; ///< that is being solved for
     int iterations_ = 0;
 };
 

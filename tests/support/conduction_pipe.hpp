@@ -17,7 +17,7 @@ inline ConductionProblem pipe_problem(int size, double wall_growth = 1.0)
     pipe.axial_cells = 28 * size;
     pipe.wall_growth = wall_growth;
     const core::Mesh mesh(core::make_pipe(pipe), 0, 1);
-    const auto links = physics::make_mesh_links(mesh, 0, physics::BehindWalls::nothing);
+    const auto links = physics::make_mesh_links(mesh, 0);
     ConductionProblem p(mesh.own_cells());
     p.topology = links.topology;
     const auto fraction = [&](int block, core::Index3 c) {

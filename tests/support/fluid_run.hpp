@@ -5,6 +5,7 @@
 #include "core/comm/reduce.hpp"
 #include "core/grid/box.hpp"
 #include "core/grid/pipe.hpp"
+#include "physics/fluid/boundary_halo.hpp"
 #include "physics/fluid/face_flux.hpp"
 #include "physics/fluid/time_step.hpp"
 #include "physics/steps/fluid_step.hpp"

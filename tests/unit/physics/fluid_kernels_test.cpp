@@ -3,6 +3,7 @@
 #include "core/base/error.hpp"
 #include "core/comm/halo.hpp"
 #include "core/grid/box.hpp"
+#include "physics/fluid/boundary_halo.hpp"
 #include "physics/fluid/boundary.hpp"
 #include "physics/fluid/drive.hpp"
 #include "physics/fluid/gradient.hpp"
@@ -62,7 +63,7 @@ TEST_CASE("least-squares gradients of a linear field are exact on a wavy grid, w
 TEST_CASE("mirrored velocity has the wall's value in the middle, also in a block thinner than its halo")
 {
     const core::Mesh mesh(core::make_box({{0, 0, 0}, {1, 1, 1}, {4, 1, 2}, {1, 1, 1}, {true, false, true}}), 0, 1);
-    const auto walls = physics::make_walls(mesh, {{"y_high", Vec3(2, 0, 0)}});
+    const auto walls = physics::make_walls(mesh, {{"y_high", {.velocity = Vec3(2, 0, 0)}}});
     core::VectorField u({"u", "", 3, false}, mesh.own_cells());
     u.allocate();
     u.on(0).x(1, 0, 1) = 0.5;
@@ -72,7 +73,7 @@ TEST_CASE("mirrored velocity has the wall's value in the middle, also in a block
     CHECK(u.on(0).x(1, 1, 1) == 3.5);
     CHECK(u.on(0).x(1, 2, 1) == 4.5);
     CHECK(u.on(0).x(1, -2, 1) == -3.5);
-    CHECK_THROWS_AS((void)physics::make_walls(mesh, {{"lid", Vec3::Zero()}}), core::ConfigError);
+    CHECK_THROWS_AS((void)physics::make_walls(mesh, {{"lid", {}}}), core::ConfigError);
 }
 
 TEST_CASE("the impulse of a harmonic drive is the integral of its acceleration")

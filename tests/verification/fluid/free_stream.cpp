@@ -45,6 +45,6 @@ TEST_CASE("a uniform flow stays uniform on a wavy box")
 TEST_CASE("a uniform flow stays uniform on the pipe, singular edges and skewed cells included")
 {
     physics::FluidParameters water = water_of(1e-3);
-    water.walls["wall"] = uniform;
+    water.boundaries["wall"].velocity = uniform;
     CHECK(change(test::pipe_across(12, 1, 8, 2), water, 0.8) < 1e-12);
 }

@@ -28,7 +28,7 @@ double change(core::MultiBlock grid)
     const Vec3 uniform(0.7, -0.4, 0.5);
     physics::FluidParameters water;
     water.viscosity = 1e-3;
-    for (const core::Boundary& b : core::match_sides(grid).boundaries) water.walls[b.name] = uniform;
+    for (const core::Boundary& b : core::match_sides(grid).boundaries) water.boundaries[b.name].velocity = uniform;
     test::FluidRun run(std::move(grid), water);
     run.start([&](const Vec3&) { return uniform; });
     const double dt = 0.8 / displacement_rate(run);

@@ -189,11 +189,19 @@ std::vector<physics::Wall> primitive_walls(const Grid& grid)
     return walls;
 }
 
-std::vector<std::string> wall_names(const core::Mesh& mesh)
+static std::vector<std::string> names_of(const core::Topology& topology)
 {
     std::set<std::string> names;
-    for (const core::Boundary& boundary : mesh.topology().boundaries) names.insert(boundary.name);
+    for (const core::Boundary& boundary : topology.boundaries) names.insert(boundary.name);
     return {names.begin(), names.end()};
 }
+
+std::vector<std::string> boundary_names(const Grid& grid)
+{
+    core::MultiBlock blocks = make_blocks(grid);
+    return names_of(core::match_sides(blocks));
+}
+
+std::vector<std::string> wall_names(const core::Mesh& mesh) { return names_of(mesh.topology()); }
 
 } // namespace io

@@ -23,6 +23,9 @@ namespace io {
 /// The walls of a pipe or box as planes and cylinders, relative to the domain's origin.
 [[nodiscard]] std::vector<physics::Wall> primitive_walls(const Grid& grid);
 
+/// Names of the boundaries that the grid has, in the order of the alphabet.
+[[nodiscard]] std::vector<std::string> boundary_names(const Grid& grid);
+
 /// Names of the boundaries of the mesh that are walls for particles: all of them.
 [[nodiscard]] std::vector<std::string> wall_names(const core::Mesh& mesh);
 

@@ -119,13 +119,6 @@ namespace {
             }
             if (grid_.bent_pipe && grid_.periodic.size() > 1)
                 complain("grid.periodic", "a bent_pipe repeats from end to end, along one axis", "keep the axis along which its ends are apart");
-            for (int axis = 0; axis < 3; ++axis)
-                for (const std::string end : {"low", "high"}) {
-                    const std::string wall = fmt::format("{}_{}", axis_words[std::size_t(axis) + 1], end);
-                    if (grid_.is_periodic(axis) && locations_.given("grid.box.walls." + wall))
-                        complain("grid.box.walls." + wall, fmt::format("{} is periodic and has no wall", wall),
-                                 "remove the wall, or the axis from 'periodic'");
-                }
         }
 
         Grid& grid_;

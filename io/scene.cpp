@@ -58,14 +58,6 @@ double Grid::volume() const
 void Scene::resolve()
 {
     if (grid.pipe && !grid.pipe->cells && !grid.pipe->size) grid.pipe->size = PipeSize::medium;
-    if (grid.box) {
-        BoxWalls& walls = grid.box->walls;
-        const std::array<std::array<std::optional<WallKind>*, 2>, 3> ends{
-            {{&walls.x_low, &walls.x_high}, {&walls.y_low, &walls.y_high}, {&walls.z_low, &walls.z_high}}};
-        for (int axis = 0; axis < 3; ++axis)
-            for (auto* wall : ends[static_cast<std::size_t>(axis)])
-                if (!grid.is_periodic(axis) && !*wall) *wall = WallKind::no_slip;
-    }
     if (fluid && !particles.empty() && !coupling) coupling.emplace();
 }
 

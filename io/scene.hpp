@@ -5,6 +5,7 @@
 #include "core/base/vec3.hpp"
 #include "io/grid_shapes.hpp"
 #include "io/value.hpp"
+#include "physics/fluid/boundary_kind.hpp"
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -22,8 +23,8 @@ inline constexpr std::array<std::string_view, 3> pipe_size_words{"small", "mediu
 enum class Axis { axial, x, y, z };
 inline constexpr std::array<std::string_view, 4> axis_words{"axial", "x", "y", "z"};
 
-enum class WallKind { no_slip, slip };
-inline constexpr std::array<std::string_view, 2> wall_kind_words{"no_slip", "slip"};
+using physics::BoundaryKind;
+inline constexpr std::array<std::string_view, 6> boundary_kind_words{"wall", "slip", "symmetry", "inflow", "outflow", "pressure"};
 
 enum class Arrangement { random, lattice };
 inline constexpr std::array<std::string_view, 2> arrangement_words{"random", "lattice"};
@@ -72,18 +73,11 @@ struct PipeGrid {
     [[nodiscard]] PipeCells chosen_cells() const { return cells ? *cells : cells_of(size.value_or(PipeSize::medium)); }
 };
 
-/// The walls of a box, no_slip unless given; periodic ends have none.
-struct BoxWalls {
-    std::optional<WallKind> x_low, x_high, y_low, y_high, z_low, z_high;
-    bool operator==(const BoxWalls&) const = default;
-};
-
 /// A rectangular box with one corner at the origin.
 struct BoxGrid {
     core::Vec3 size = core::Vec3::Zero(); ///< [m]
     std::array<int, 3> cells{16, 16, 16};
     std::array<int, 3> blocks{1, 1, 1};
-    BoxWalls walls;
     bool operator==(const BoxGrid&) const = default;
 };
 
@@ -144,8 +138,18 @@ struct Material {
     bool operator==(const Material&) const = default;
 };
 
+/// What holds on one boundary of the grid.
+struct Boundary {
+    std::string at; ///< Name of the boundary.
+    BoundaryKind kind = BoundaryKind::wall;
+    std::optional<core::Vec3> velocity; ///< Of a wall that moves, or of what flows in [m/s].
+    std::optional<double> pressure;     ///< Where it is given; 0 without it [Pa].
+    bool operator==(const Boundary&) const = default;
+};
+
 struct Fluid {
     Material material;
+    std::vector<Boundary> boundaries; ///< Those that are not walls at rest.
     std::optional<Drive> drive;
     bool operator==(const Fluid&) const = default;
 };
@@ -237,7 +241,7 @@ struct Scene {
     Solver solver;
     bool operator==(const Scene&) const = default;
 
-    /// Fills in what other keys decide: the size of a pipe, the walls of a box, the coupling of fluid and particles.
+    /// Fills in what other keys decide: the size of a pipe, the coupling of fluid and particles.
     void resolve();
 };
 

@@ -26,7 +26,7 @@ namespace {
         {
             if (!scene_.fluid && !locations_.given("particles"))
                 complain("", "the scene has neither 'fluid' nor 'particles'", "add one of them");
-            if (scene_.fluid && scene_.grid.box) check_slip(scene_.grid.box->walls);
+            if (scene_.fluid) check_boundaries(scene_, locations_, problems_);
             if (scene_.fluid && scene_.fluid->drive) check_drive(*scene_.fluid->drive);
             for (std::size_t n = 0; n < scene_.particles.size(); ++n) check_species(n);
             check_company();
@@ -45,17 +45,6 @@ namespace {
         [[nodiscard]] bool all_good(const std::vector<std::string>& paths) const
         {
             return std::all_of(paths.begin(), paths.end(), [&](const auto& path) { return locations_.good(path); });
-        }
-
-        /// To particles alone a wall is a wall.
-        void check_slip(const BoxWalls& walls)
-        {
-            const std::array kinds{walls.x_low, walls.x_high, walls.y_low, walls.y_high, walls.z_low, walls.z_high};
-            const std::array names{"x_low", "x_high", "y_low", "y_high", "z_low", "z_high"};
-            for (std::size_t n = 0; n < kinds.size(); ++n)
-                if (kinds[n] == WallKind::slip && !scene_.grid.is_periodic(int(n) / 2))
-                    complain(fmt::format("grid.box.walls.{}", names[n]), "walls along which the fluid slips cannot be computed yet",
-                             "write no_slip, or make the axis periodic");
         }
 
         void check_drive(const Drive& drive)

@@ -20,22 +20,11 @@ static void describe(Schema& s, PipeGrid& p)
     s.value("core_fraction", p.core_fraction, "1", "Half diagonal of the core over the radius", between(0.2, 0.8));
 }
 
-static void describe(Schema& s, BoxWalls& p)
-{
-    s.value("x_low", "Wall at the low end of x; no_slip by default", choice_of(p.x_low, wall_kind_words));
-    s.value("x_high", "Wall at the high end of x; no_slip by default", choice_of(p.x_high, wall_kind_words));
-    s.value("y_low", "Wall at the low end of y; no_slip by default", choice_of(p.y_low, wall_kind_words));
-    s.value("y_high", "Wall at the high end of y; no_slip by default", choice_of(p.y_high, wall_kind_words));
-    s.value("z_low", "Wall at the low end of z; no_slip by default", choice_of(p.z_low, wall_kind_words));
-    s.value("z_high", "Wall at the high end of z; no_slip by default", choice_of(p.z_high, wall_kind_words));
-}
-
 static void describe(Schema& s, BoxGrid& p)
 {
     s.required("size", p.size, "m", "Lengths of the edges; one corner is the origin", positive);
     s.required("cells", p.cells, "", "Cells along each edge", at_least(1));
     s.value("blocks", p.blocks, "", "Blocks along each edge; each divides the cells", at_least(1));
-    s.group("walls", p.walls, "How the fluid meets each wall; periodic ends have none");
 }
 
 static void describe(Schema& s, Grid& p)
@@ -73,8 +62,19 @@ static void describe(Schema& s, Material& p)
     s.required("viscosity", p.viscosity, "m2/s", "Kinematic viscosity; 0 is an inviscid fluid", not_negative);
 }
 
+static void describe(Schema& s, Boundary& p)
+{
+    s.required("at", p.at, "", "Name of the boundary: wall, x_low and x_high of a pipe, x_low to z_high of a box, and so on");
+    s.value("kind", "wall: the fluid sticks to it; slip: no friction along it; symmetry: a plane that halves the flow; inflow: the velocity "
+            "is given; outflow: the pressure is given, and what flows back was at rest; pressure: it is given, and what flows in keeps its "
+            "velocity", choice_of(p.kind, boundary_kind_words));
+    s.value("velocity", p.velocity, "m/s", "Of what flows in, or of the wall");
+    s.value("pressure", p.pressure, "Pa", "Where it is given, without the weight of the fluid; 0 without it");
+}
+
 static void describe(Schema& s, Fluid& p)
 {
+    s.list("boundaries", p.boundaries, "Boundaries other than walls at rest");
     s.group("drive", p.drive, "What pushes the fluid along a periodic axis");
     s.named_group("<material>", p.material, "The fluid, under a name of your choice such as water");
 }

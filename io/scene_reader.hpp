@@ -43,6 +43,7 @@ struct SceneReading {
 void check_grid(Grid& grid, const std::filesystem::path& folder, Locations& locations, Problems& problems);
 
 /// Finds mistakes that only several keys together show; says nothing about values that could not be read.
+void check_boundaries(const Scene& scene, const Locations& locations, Problems& problems);
 void check_scene(const Scene& scene, const Locations& locations, Problems& problems);
 
 } // namespace io

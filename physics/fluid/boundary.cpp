@@ -4,7 +4,9 @@
 #include "core/base/error.hpp"
 #include "core/grid/gradient_matrices.hpp"
 #include "core/grid/hexahedron.hpp"
+#include "physics/fluid/side_faces.hpp"
 #include <algorithm>
+#include <cmath>
 
 namespace physics {
 namespace {
@@ -54,6 +56,20 @@ std::vector<BlockWalls> make_walls(const core::Mesh& mesh, const BoundaryConditi
     for (core::LocalBlock b = 0; b < mesh.own_count(); ++b)
         walls[std::size_t(b)].pressure_matrices = matrices_with_given_pressure(mesh.geometry(b), walls[std::size_t(b)]);
     return walls;
+}
+
+GivenFlux given_flux(const core::BlockGeometry& geometry, const BlockWalls& walls)
+{
+    GivenFlux sum;
+    for (const core::Side side : core::all_sides) {
+        if (!walls.at(side).gives_flux()) continue;
+        for_each_side_face(geometry.cells, side, [&](int i, int j, int k) {
+            const double flux = geometry.area(core::axis_of(side), i, j, k).dot(walls.at(side).velocity[{i, j, k}]);
+            sum.net += core::is_high(side) ? flux : -flux;
+            sum.magnitudes += std::abs(flux);
+        });
+    }
+    return sum;
 }
 
 const core::GradientMatrices& pressure_matrices(const core::BlockGeometry& geometry, const BlockWalls& walls)

@@ -3,6 +3,7 @@
 #pragma once
 // What holds on the boundaries of the domain, as said by the scene and as each block needs it.
 #include "core/grid/mesh.hpp"
+#include "physics/fluid/boundary_kind.hpp"
 #include "physics/fluid/side_vectors.hpp"
 #include <algorithm>
 #include <functional>
@@ -11,18 +12,6 @@
 #include <string>
 
 namespace physics {
-
-enum class BoundaryKind : unsigned char {
-    wall,     ///< the fluid has the velocity of the wall
-    slip,     ///< it has that velocity across the wall and no friction along it
-    symmetry, ///< the same, and the pressure has no gradient across it: a plane that halves a symmetric flow
-    inflow,   ///< the velocity is given
-    outflow,  ///< the pressure is given; what flows back comes from fluid at rest, so that it cannot feed on itself
-    pressure  ///< the pressure is given; what flows in has the velocity of the cells inside
-};
-
-[[nodiscard]] inline bool slips(BoundaryKind kind) { return kind == BoundaryKind::slip || kind == BoundaryKind::symmetry; }
-[[nodiscard]] inline bool gives_pressure(BoundaryKind kind) { return kind == BoundaryKind::outflow || kind == BoundaryKind::pressure; }
 
 /// A boundary as the scene says it; a wall at rest unless something else is said.
 struct BoundaryCondition {
@@ -71,6 +60,13 @@ template <class Test>
         return holds(said == conditions.end() ? BoundaryKind::wall : said->second.kind);
     });
 }
+
+/// Fluxes through the sides of a block that are given [m3/s].
+struct GivenFlux {
+    double net = 0;        ///< outward
+    double magnitudes = 0; ///< summed
+};
+[[nodiscard]] GivenFlux given_flux(const core::BlockGeometry& geometry, const BlockWalls& walls);
 
 /// For the gradient of a pressure whose halo mirror_pressure() has filled.
 [[nodiscard]] const core::GradientMatrices& pressure_matrices(const core::BlockGeometry& geometry, const BlockWalls& walls);

@@ -3,6 +3,7 @@
 #pragma once
 // Fluxes through the faces of a block: of gradients by the one compact formula, of vectors by linear interpolation.
 #include "physics/fluid/boundary.hpp"
+#include "physics/fluid/side_faces.hpp"
 
 namespace physics {
 
@@ -40,16 +41,5 @@ void net_outflow(core::FaceView<const double> flux, core::View<double> outflow);
 
 /// Half the sum of the magnitudes of the fluxes of each cell.
 void throughput(core::FaceView<const double> flux, core::View<double> through);
-
-/// Calls body(i, j, k) for the faces on one side of a block, in the indices of the FaceView along the side's axis.
-template <class Body>
-void for_each_side_face(core::Extents cells, core::Side side, Body body)
-{
-    const int axis = core::axis_of(side);
-    core::Index3 low{0, 0, 0}, high{cells.ni, cells.nj, cells.nk};
-    low[axis] = core::is_high(side) ? cells[axis] : 0;
-    high[axis] = low[axis] + 1;
-    core::for_each(low, high, body);
-}
 
 } // namespace physics

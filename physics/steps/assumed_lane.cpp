@@ -19,7 +19,7 @@ void CoupledStep::make_assumed()
     AssumedGrains& assumed = assumed_.get();
     assumed.dynamics = std::make_unique<ParticleDynamics>(dynamics_);
     assumed.stepper = std::make_unique<ParticleStepper>(*assumed.dynamics, stepper_);
-    fluid_filter_ = std::make_unique<LaneFilter>("filter of the fluid lane", make_mesh_links(mesh_, ranks_.rank(), BehindWalls::nothing).topology,
+    fluid_filter_ = std::make_unique<LaneFilter>("filter of the fluid lane", make_mesh_links(mesh_, ranks_.rank()).topology,
                                                  parameters_.filter_width);
 }
 

@@ -25,7 +25,7 @@ void CoupledStep::view_state(LocalBlock b, Vectors u, View<const double> p, Vect
 {
     const auto force = vector_of(out, view_pressure_force);
     map_components(vector_of(out, view_velocity), [](double x) { return x; }, u);
-    gradient(geometry(b), geometry(b).gradient, p, force);
+    gradient(geometry(b), pressure_matrices(geometry(b), fluid_.walls()[std::size_t(b)]), p, force);
     map_components(force, [](double x) { return -x; }, force);
     map_components(vector_of(out, view_acceleration), [](double x) { return x; }, acceleration);
 }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #include "physics/steps/fluid_step.hpp"
+#include "core/comm/reduce.hpp"
 #include "physics/fluid/advection_lcsi.hpp"
 #include "physics/fluid/boundary_halo.hpp"
 #include "physics/fluid/boundary_paths.hpp"
@@ -18,6 +19,7 @@ FluidStep::FluidStep(const core::Mesh& mesh, const core::Communicator& ranks, ta
       clock_("fluid clock", state_.clock), pressure_system_(system_context(), ranks, parameters.tolerances),
       budget_("momentum budget", std::size_t(mesh.own_count()))
 {
+    require_balance(ranks);
     if (parameters_.viscosity > 0)
         viscosity_system_ = std::make_unique<ViscositySystem>(system_context(), pressure_system_.layout(), parameters_.tolerances);
     for (const core::BlockId b : mesh.own()) singular_axes_.push_back(singular_axes(mesh.topology(), b));
@@ -25,6 +27,19 @@ FluidStep::FluidStep(const core::Mesh& mesh, const core::Communicator& ranks, ta
     state_.velocity_before.allocate();
     state_.pressure.allocate();
     state_.flux.allocate();
+}
+
+void FluidStep::require_balance(const core::Communicator& ranks) const
+{
+    if (any_boundary(mesh_, parameters_.boundaries, gives_pressure)) return;
+    const auto sum = [&](double GivenFlux::*part) {
+        return core::sum_over_blocks(mesh_, ranks, [&](LocalBlock b) { return given_flux(geometry(b), walls_of(b)).*part; });
+    };
+    const double net = sum(&GivenFlux::net), all = sum(&GivenFlux::magnitudes);
+    constexpr double round_off = 1e-9; // of grids read from files in single precision, over what flows in and out
+    core::require<core::ConfigError>(std::abs(net) <= round_off * all,
+                                     core::text(std::abs(net), net > 0 ? " m3/s more flow out of" : " m3/s more flow into",
+                                                " the domain than the other way, and no boundary gives way: let one be an outflow"));
 }
 
 SystemContext FluidStep::system_context() const

@@ -70,6 +70,8 @@ public:
 
 private:
     using Vectors = core::VectorView<const double>;
+    /// @throws ConfigError if more flows in than out, or the other way.
+    void require_balance(const core::Communicator& ranks) const;
     [[nodiscard]] SystemContext system_context() const;
     void velocity_gradients(core::LocalBlock b, Vectors u, const std::array<core::VectorView<double>, 3>& out) const;
     void viscous_acceleration(core::LocalBlock b, Vectors u, const std::array<Vectors, 3>& gradients, core::FaceView<double> scratch,

@@ -37,21 +37,21 @@ TEST_CASE("a drive needs a periodic axis, and one way to change")
                                                 "7:3 the drive acts along x, which is not periodic");
 }
 
-TEST_CASE("a periodic end has no wall")
+TEST_CASE("the blocks of a box divide its cells")
 {
-    const auto box = with("pipe: { diameter: 50 mm, length: 90 mm }",
-                          "box: { size: [9 mm, 9 mm, 9 mm], cells: [8, 8, 8], walls: { x_low: slip } }");
-    CHECK(problem_of(with("[axial]", "[x]", box)) == "3:70 x_low is periodic and has no wall");
     CHECK(problem_of(with("pipe: { diameter: 50 mm, length: 90 mm }",
                           "box: { size: [9 mm, 9 mm, 9 mm], cells: [8, 8, 8], blocks: [1, 3, 1] }",
                           with("[axial]", "[x]"))) == "3:62 8 cells along y do not divide into 3 blocks");
 }
 
-TEST_CASE("slip walls are refused rather than computed as others")
+TEST_CASE("boundaries have names that the grid knows, and the keys of their kind")
 {
-    const auto box = with("pipe: { diameter: 50 mm, length: 90 mm }",
-                          "box: { size: [9 mm, 9 mm, 9 mm], cells: [8, 8, 8], walls: { y_low: slip } }");
-    CHECK(problem_of(with("[axial]", "[x]", box)) == "3:70 walls along which the fluid slips cannot be computed yet");
+    const auto boundary = [](const std::string& text) { return with("  water:", "  boundaries:\n    - { " + text + " }\n  water:"); };
+    CHECK(problem_of(boundary("at: walls, kind: slip")) == "7:13 the grid has no boundary 'walls'");
+    CHECK(problem_of(boundary("at: x_low, kind: slip")) == "7:13 the grid has no boundary 'x_low'"); // the pipe repeats
+    CHECK(problem_of(boundary("at: wall, kind: slip, pressure: 1 Pa")) == "7:41 'pressure' means nothing for kind: slip");
+    CHECK(problem_of(boundary("at: wall, kind: inflow")) ==
+          "7:7 an inflow needs 'velocity'\n7:25 particles beside boundaries that fluid flows through cannot be computed yet");
 }
 
 TEST_CASE("particles need contact, names of their own, and room")

@@ -37,10 +37,10 @@ TEST_CASE("every value survives the resolved text")
     io::Scene scene = io::read_scene_text("scene.yaml", test_scene::good).scene;
     scene.name = "quotes \" \\ and: colons # ünïcode";
     scene.grid.pipe.reset();
-    scene.grid.box = io::BoxGrid{{0.1, 1.0 / 3.0, 0.2}, {4, 6, 8}, {1, 2, 4}, {}};
-    scene.grid.box->walls.y_high = io::WallKind::no_slip;
+    scene.grid.box = io::BoxGrid{{0.1, 1.0 / 3.0, 0.2}, {4, 6, 8}, {1, 2, 4}};
     scene.grid.periodic = {io::Axis::x, io::Axis::z};
     scene.fluid->material.name = "null";
+    scene.fluid->boundaries = {{"y_low", io::BoundaryKind::slip, {}, {}}, {"y_high", io::BoundaryKind::wall, core::Vec3(0.1, 0, 1.0 / 3.0), {}}};
     scene.fluid->drive = io::Drive{-3.0, io::Axis::z, 2.5, {}};
     scene.gravity = io::Gravity{core::Vec3(1, 2, -2) / 3.0, 1.62};
     scene.particles.push_back({"-5", 3, 1e-3, 2500.0, {}});

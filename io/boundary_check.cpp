@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+// Checks of what a scene says of its boundaries.
+#include "io/grid_builder.hpp"
+#include "io/scene_reader.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace io {
+namespace {
+
+/// Keys that a kind of boundary has no use for, and one that it needs.
+void check_keys(const Boundary& boundary, const std::string& path, const Locations& locations, Problems& problems)
+{
+    const auto kind = boundary_kind_words[std::size_t(boundary.kind)];
+    const bool with_velocity = boundary.kind == BoundaryKind::wall || boundary.kind == BoundaryKind::inflow;
+    if (boundary.kind == BoundaryKind::inflow && !locations.given(path + ".velocity"))
+        problems.add(locations.at(path), "an inflow needs 'velocity'", "add velocity: [0.1 m/s, 0 m/s, 0 m/s]");
+    if (boundary.velocity && !with_velocity)
+        problems.add(locations.at(path + ".velocity"), fmt::format("'velocity' means nothing for kind: {}", kind), "remove it");
+    if (boundary.pressure && !physics::gives_pressure(boundary.kind))
+        problems.add(locations.at(path + ".pressure"), fmt::format("'pressure' means nothing for kind: {}", kind),
+                     "remove it, or write kind: outflow or kind: pressure");
+}
+
+} // namespace
+
+void check_boundaries(const Scene& scene, const Locations& locations, Problems& problems)
+{
+    const auto& all = scene.fluid->boundaries;
+    if (all.empty() || !locations.good("grid") || !locations.good("grid.periodic")) return;
+    const std::vector<std::string> names = boundary_names(scene.grid);
+    for (std::size_t n = 0; n < all.size(); ++n) {
+        const std::string path = fmt::format("fluid.boundaries.{}", n);
+        if (!locations.good(path + ".at") || !locations.good(path + ".kind")) continue;
+        if (std::find(names.begin(), names.end(), all[n].at) == names.end())
+            problems.add(locations.at(path + ".at"), fmt::format("the grid has no boundary '{}'", all[n].at),
+                         names.empty() ? "it repeats along all its axes" : suggestion(all[n].at, names));
+        if (std::any_of(all.begin(), all.begin() + std::ptrdiff_t(n), [&](const Boundary& b) { return b.at == all[n].at; }))
+            problems.add(locations.at(path + ".at"), fmt::format("'{}' is given twice", all[n].at), "keep one of the two");
+        check_keys(all[n], path, locations, problems);
+        const bool open = all[n].kind == BoundaryKind::inflow || physics::gives_pressure(all[n].kind);
+        if (open && !scene.particles.empty())
+            problems.add(locations.at(path + ".kind"), "particles beside boundaries that fluid flows through cannot be computed yet",
+                         "make the axis periodic, or leave the particles out");
+    }
+}
+
+} // namespace io

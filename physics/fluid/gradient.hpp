@@ -8,7 +8,7 @@ namespace physics {
 
 /// Cartesian gradient of a cell field; exact for linear fields.
 /// @param matrices  geometry.gradient for a field mirrored evenly beyond walls, geometry.wall_gradient for one mirrored
-///                  oddly about its value on the wall (see boundary.hpp): both need no case for walls.
+///                  oddly about its value on the wall (see boundary_halo.hpp): both need no case for walls.
 /// @param q         One halo layer, straight beyond the sides.
 /// @param[out] out  Interior [unit of q / m].
 void gradient(const core::BlockGeometry& geometry, const core::GradientMatrices& matrices, core::View<const double> q,

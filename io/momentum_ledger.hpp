@@ -56,7 +56,7 @@ public:
     [[nodiscard]] double defect() const { return defect(impulses_.outer()); }
     /// The same for another explanation.
     [[nodiscard]] double defect(const core::Vec3& explained) const;
-    /// |given - taken| over the larger of both, in the last step.
+    /// |given - taken| in the last step over the largest of both, the weight and the contacts with walls.
     [[nodiscard]] double exchange_defect() const;
 
 private:

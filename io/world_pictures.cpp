@@ -80,6 +80,7 @@ WorldPictures::WorldPictures(const World& world, std::filesystem::path folder, c
     : folder_(std::move(folder)), style_(style), frame_(picture_frame(world.scene()))
 {
     if (!world.fluid()) style_.slice = PictureStyle::Slice::none;
+    else if (!world.grains()) style_.slice = PictureStyle::Slice::speed; // or there is nothing to see
     if (world.ranks().rank() != 0) return;
     still_.camera = side_camera(world.scene(), frame_, double(style_.width) / style_.height);
     still_.walls.push_back(wall_of(world.mesh(), frame_));

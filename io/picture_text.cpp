@@ -108,7 +108,7 @@ void draw_bar(Image& image, const ColourBar& bar, double unit)
     const double base = top + 2.1 * unit, size = 0.75 * unit;
     draw_text(image, low, {left, base, size});
     draw_text(image, high, {left + width - text_width(high, size), base, size});
-    draw_text(image, bar.title, {left + 0.5 * (width - text_width(bar.title, size)), base, size});
+    draw_text(image, bar.title, {left, top - 0.6 * unit, size});
 }
 
 } // namespace

@@ -4,26 +4,24 @@
 #include "core/comm/reduce.hpp"
 #include "core/grid/surface.hpp"
 #include "io/gathered_particles.hpp"
+#include "io/grid_builder.hpp"
 #include "io/mesh_nodes.hpp"
 #include "io/picture_slice.hpp"
 #include "physics/fluid/cell_loops.hpp"
 #include <cmath>
 #include <cstring>
 #include <fmt/format.h>
-#include <set>
 
 namespace io {
 namespace {
 
 Surface wall_of(const core::Mesh& mesh, const PictureFrame& frame)
 {
-    std::set<std::string> names;
-    for (const core::Boundary& boundary : mesh.topology().boundaries) names.insert(boundary.name);
     double shortest = std::numeric_limits<double>::infinity();
     for (const core::Vec3& period : mesh.periods()) shortest = std::min(shortest, period.norm());
     // Less than nothing beyond the ends, so that rounding adds no image of a face that just touches them.
     const double margin = std::isfinite(shortest) ? -1e-6 * shortest : 0.0;
-    const core::Surface surface = core::boundary_surface(mesh, std::vector<std::string>(names.begin(), names.end()), margin);
+    const core::Surface surface = core::boundary_surface(mesh, wall_names(mesh), margin);
     Surface wall;
     for (const core::Vec3& x : surface.vertices) wall.points.push_back(frame(x));
     for (const auto& [a, b, c, d] : surface.quads) {

@@ -27,6 +27,14 @@ bool flows_back(const BlockSide& side, core::Index3 at, const core::Vec3& veloci
     return side.kind == BoundaryKind::outflow && velocity.dot(side.normal[at]) < 0;
 }
 
+/// @param share  Of the given pressure that q has there.
+void mirror_about_given(const BlockWalls& walls, int layers, double share, core::View<double> q)
+{
+    for_each_mirrored(walls, q.extents(), layers, [&](const BlockSide& side, core::Index3 inside, core::Index3 beyond) {
+        q[beyond] = side.gives_pressure() ? 2 * share * side.pressure - q[inside] : q[inside];
+    });
+}
+
 } // namespace
 
 core::Vec3 mirrored(const BlockSide& side, core::Index3 at, const core::Vec3& inside)
@@ -66,18 +74,8 @@ void mirror_even(const BlockWalls& walls, int layers, core::View<double> q)
     for_each_mirrored(walls, q.extents(), layers, [&](const BlockSide&, core::Index3 inside, core::Index3 beyond) { q[beyond] = q[inside]; });
 }
 
-void mirror_pressure(const BlockWalls& walls, int layers, core::View<double> pressure)
-{
-    for_each_mirrored(walls, pressure.extents(), layers, [&](const BlockSide& side, core::Index3 inside, core::Index3 beyond) {
-        pressure[beyond] = side.gives_pressure() ? 2 * side.pressure - pressure[inside] : pressure[inside];
-    });
-}
+void mirror_pressure(const BlockWalls& walls, int layers, core::View<double> pressure) { mirror_about_given(walls, layers, 1, pressure); }
 
-void mirror_pressure_change(const BlockWalls& walls, int layers, core::View<double> change)
-{
-    for_each_mirrored(walls, change.extents(), layers, [&](const BlockSide& side, core::Index3 inside, core::Index3 beyond) {
-        change[beyond] = side.gives_pressure() ? -change[inside] : change[inside];
-    });
-}
+void mirror_pressure_change(const BlockWalls& walls, int layers, core::View<double> change) { mirror_about_given(walls, layers, 0, change); }
 
 } // namespace physics

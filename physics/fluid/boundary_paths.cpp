@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #include "physics/fluid/boundary_paths.hpp"
+#include "physics/fluid/side_faces.hpp"
 
 namespace physics {
 
@@ -12,11 +13,8 @@ void end_at_boundaries(const BlockWalls& walls, core::VectorView<double> displac
         const int axis = core::axis_of(side);
         const double inward = core::is_high(side) ? -1.0 : 1.0;
         const auto along = displacement.component(axis);
-        const core::Extents cells = along.extents();
-        core::Index3 first, last{cells.ni, cells.nj, cells.nk};
-        (core::is_high(side) ? first : last)[axis] = core::is_high(side) ? cells[axis] - 1 : 1;
-        core::for_each(first, last, [&](int i, int j, int k) {
-            const core::Index3 c{i, j, k};
+        for_each_side_face(along.extents(), side, [&](int i, int j, int k) {
+            const core::Index3 c = cell_at_face({i, j, k}, side);
             const double way = inward * along[c];
             if (way <= to_boundary) return;
             for (int m = 0; m < 3; ++m) displacement.component(m)[c] *= to_boundary / way;

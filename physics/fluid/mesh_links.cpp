@@ -13,12 +13,6 @@ core::Index3 stepped(core::Index3 c, int axis, int by)
     return c;
 }
 
-/// The cell of a block at one of its faces.
-core::Index3 cell_at_face(core::Index3 face, core::Side side)
-{
-    return stepped(face, core::axis_of(side), core::is_high(side) ? -1 : 0);
-}
-
 void add_interface(const core::Mesh& mesh, const core::Interface& f, MeshLinks& links)
 {
     const int axis = core::axis_of(f.side_a);

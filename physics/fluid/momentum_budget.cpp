@@ -15,9 +15,8 @@ void for_each_wall_face(const core::BlockGeometry& geometry, const BlockWalls& w
     for (const core::Side side : core::all_sides)
         if (walls.at(side).kind)
             for_each_side_face(geometry.cells, side, [&](int i, int j, int k) {
-                core::Index3 inside{i, j, k};
-                if (core::is_high(side)) --inside[core::axis_of(side)];
-                body(side, inside, core::Index3{i, j, k});
+                const core::Index3 face{i, j, k};
+                body(side, cell_at_face(face, side), face);
             });
 }
 

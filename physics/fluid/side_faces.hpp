@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// A loop over the faces on one side of a block.
+// The faces on one side of a block, and the cells beside them.
 #include "core/grid/extents.hpp"
 
 namespace physics {
@@ -15,6 +15,13 @@ void for_each_side_face(core::Extents cells, core::Side side, Body body)
     low[axis] = core::is_high(side) ? cells[axis] : 0;
     high[axis] = low[axis] + 1;
     core::for_each(low, high, body);
+}
+
+/// The cell of a block at one of the faces on its side.
+[[nodiscard]] inline core::Index3 cell_at_face(core::Index3 face, core::Side side)
+{
+    if (core::is_high(side)) --face[core::axis_of(side)];
+    return face;
 }
 
 } // namespace physics

@@ -67,4 +67,10 @@ DragLaw Coupling::chosen_drag() const
     return preset == CouplingPreset::seed ? DragLaw::seed : DragLaw::smooth;
 }
 
+MagnusLaw Coupling::chosen_magnus() const
+{
+    if (magnus) return *magnus;
+    return preset == CouplingPreset::seed ? MagnusLaw::seed : MagnusLaw::lun_liu;
+}
+
 } // namespace io

@@ -42,6 +42,9 @@ inline constexpr std::array<std::string_view, 5> coupling_mode_words{"auto", "pi
 enum class DragLaw { smooth, seed };
 inline constexpr std::array<std::string_view, 2> drag_law_words{"smooth", "seed"};
 
+enum class MagnusLaw { lun_liu, rubinow_keller, seed };
+inline constexpr std::array<std::string_view, 3> magnus_law_words{"lun_liu", "rubinow_keller", "seed"};
+
 enum class CouplingPreset { standard, seed };
 inline constexpr std::array<std::string_view, 2> coupling_preset_words{"standard", "seed"};
 
@@ -193,10 +196,12 @@ struct Coupling {
     Width filter{2.0, true};
     CouplingPreset preset = CouplingPreset::standard;
     std::optional<DragLaw> drag; ///< Without it, the preset's.
+    std::optional<MagnusLaw> magnus; ///< Without it, the preset's.
     Switch added_mass = Switch::automatic, lift = Switch::automatic, torque = Switch::automatic;
     bool operator==(const Coupling&) const = default;
 
     [[nodiscard]] DragLaw chosen_drag() const;
+    [[nodiscard]] MagnusLaw chosen_magnus() const;
 };
 
 struct Limits {

@@ -5,7 +5,6 @@
 #include "core/grid/surface.hpp"
 #include "io/grid_builder.hpp"
 #include "io/physics_builder.hpp"
-#include "physics/coupling/lift.hpp"
 #include "physics/particles/insertion.hpp"
 #include "physics/particles/time_step.hpp"
 #include <algorithm>
@@ -64,6 +63,16 @@ physics::WallSurface wall_surface(const Scene& scene, const core::Mesh& mesh, co
     return {surface.vertices, surface.quads, smooth_angle};
 }
 
+physics::MagnusLaw magnus_law(MagnusLaw chosen)
+{
+    switch (chosen) {
+    case MagnusLaw::lun_liu: return physics::MagnusLaw::lun_liu;
+    case MagnusLaw::rubinow_keller: return physics::MagnusLaw::rubinow_keller;
+    case MagnusLaw::seed: return physics::MagnusLaw::tsuji;
+    }
+    return physics::MagnusLaw::lun_liu;
+}
+
 bool wanted(Switch choice, bool otherwise) { return choice == Switch::automatic ? otherwise : choice == Switch::on; }
 
 } // namespace
@@ -115,7 +124,7 @@ physics::CouplingParameters coupling_parameters(const Scene& scene)
     p.gravity = gravity_of(scene);
     p.drag = coupling.chosen_drag() == DragLaw::seed ? physics::DragLaw::kawaguchi : physics::DragLaw::di_felice;
     if (seed) p.force = physics::FluidForce::material_derivative;
-    if (seed) p.lift_share = physics::magnus_share_measured;
+    p.magnus = magnus_law(coupling.chosen_magnus());
     p.added_mass = wanted(coupling.added_mass, seed || lightest_ratio < heavy) ? 0.5 : 0.0;
     p.lift = wanted(coupling.lift, seed || lightest_ratio < heavy);
     p.torque = wanted(coupling.torque, true);

@@ -106,8 +106,9 @@ void GrainExchange::load(core::ParticleSet& grains, const GrainTable& views, con
         WetLoad load;
         load.drag = grains.columns[std::size_t(columns_.drag)][k];
         load.added_mass = mass;
-        load.force = known + mass * tell(grains, g, at(views, view_acceleration, g), step.dt);
-        if (p.lift) load.force += p.lift_share * magnus_lift(spin);
+        const core::Vec3 acceleration = at(views, view_acceleration, g) + at(views, view_stress, g) / p.fluid_density;
+        load.force = known + mass * tell(grains, g, acceleration, step.dt);
+        if (p.lift) load.force += magnus_share(p, spin.slip.norm(), diameter) * magnus_lift(spin);
         if (p.force == FluidForce::material_derivative)
             load.force += extra_force(grains, g, p.fluid_density * (at(views, view_acceleration, g) - drive) -
                                                      at(views, view_pressure_force, g));

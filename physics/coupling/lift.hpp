@@ -30,10 +30,16 @@ struct SpinInput {
 }
 
 /// Measured lift over magnus_lift(), whose lift coefficient is d |spin| / |u - v|, at Re = 550 to 1600: the coefficient is
-/// (0.40 +- 0.10) times the speed of the surface over that of the slip, d |spin| / (2 |u - v|). The fit of others to these and
-/// other measurements, 0.178 + 0.822 Re^-0.522, gives 0.21 to 0.20.
-/// @source  Tsuji, Morikawa, Mizuno (1985); the fit: Lun, Liu (1997).
-inline constexpr double magnus_share_measured = 0.2;
+/// (0.40 +- 0.10) times the speed of the surface over that of the slip, d |spin| / (2 |u - v|).
+/// @source  Tsuji, Morikawa, Mizuno (1985).
+inline constexpr double magnus_share_tsuji = 0.2;
+
+/// Lift over magnus_lift(): a fit to the theory for Re = rho d |u - v| / mu up to 1 and to measurements up to 1000, some to 2000.
+/// @source  Lun, Liu (1997).
+[[nodiscard]] inline double magnus_share_lun_liu(double reynolds)
+{
+    return reynolds > 1.0 ? 0.178 + 0.822 * std::pow(reynolds, -0.522) : 1.0; // 1 too without slip and viscosity, 0 / 0
+}
 
 /// Shear lift, 1.615 d^2 sqrt(rho mu / |w|) (u - v) x w f(Re, Re_s), w = curl u; zero without vorticity [N].
 /// Sign: in u = +y along x, a grain that lags is pushed to +y.

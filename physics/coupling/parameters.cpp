@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "physics/coupling/parameters.hpp"
 #include "physics/coupling/drag.hpp"
+#include "physics/coupling/lift.hpp"
 #include <cmath>
 
 namespace physics {
@@ -15,6 +16,16 @@ double drag_coefficient(const CouplingParameters& p, double slip, double fractio
     case DragLaw::kawaguchi: return drag_kawaguchi(in);
     case DragLaw::gidaspow_smooth: return drag_gidaspow_smooth(in);
     case DragLaw::schiller_naumann: return drag_schiller_naumann(in);
+    }
+    return 0.0;
+}
+
+double magnus_share(const CouplingParameters& p, double slip, double diameter)
+{
+    switch (p.magnus) {
+    case MagnusLaw::lun_liu: return magnus_share_lun_liu(p.fluid_density * slip * diameter / p.viscosity);
+    case MagnusLaw::rubinow_keller: return 1.0;
+    case MagnusLaw::tsuji: return magnus_share_tsuji;
     }
     return 0.0;
 }

@@ -23,6 +23,13 @@ enum class FluidForce {
     material_derivative ///< rho V Du/Dt, as the seed prints it: the same in the fluid alone, nothing in a steady bed
 };
 
+/// Lift of a grain that spins relative to the fluid (lift.hpp).
+enum class MagnusLaw {
+    lun_liu,        ///< falls with the Reynolds number of the slip: the default
+    rubinow_keller, ///< theory for small Reynolds numbers
+    tsuji           ///< measured at Re = 550 to 1600: what the seed takes
+};
+
 struct CouplingParameters {
     double fluid_density = 1000.0;  ///< [kg/m3]
     double viscosity = 1e-3;        ///< dynamic [Pa s]
@@ -31,7 +38,7 @@ struct CouplingParameters {
     FluidForce force = FluidForce::pressure_gradient;
     double added_mass = 0.5;        ///< coefficient C_m; 0 leaves it out
     bool lift = false;              ///< Magnus, by the spin relative to the fluid
-    double lift_share = 1.0;        ///< of the lift at small Reynolds numbers
+    MagnusLaw magnus = MagnusLaw::lun_liu;
     bool torque = true;             ///< viscous
     double filter_width = 0.0;      ///< bandwidth b of the diffusion filter [m]
     std::optional<Mode> mode;       ///< none: chosen from the stability numbers
@@ -40,7 +47,10 @@ struct CouplingParameters {
 /// Drag coefficient K of one grain by the chosen law [kg/s].
 [[nodiscard]] double drag_coefficient(const CouplingParameters& parameters, double slip, double fraction, double diameter);
 
-/// The same at the slip at which drag carries `weight` [N]: what to expect of a grain before anything has moved.
+/// Magnus lift by the chosen law over that for small Reynolds numbers [-].
+[[nodiscard]] double magnus_share(const CouplingParameters& parameters, double slip, double diameter);
+
+/// Drag at the slip at which drag carries `weight` [N]: what to expect of a grain before anything has moved.
 [[nodiscard]] double settling_drag(const CouplingParameters& parameters, double weight, double fraction, double diameter);
 
 } // namespace physics

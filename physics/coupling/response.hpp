@@ -10,15 +10,17 @@
 // hold h in 0..1 (contact_share.hpp), owed impulse. Per cell: phi, C = 1 - phi, G = -grad p + div tau - drive [N/m3],
 // Dudt = (u^{n+1} - u^a) / dt of the last step, ledger L [N s/m3].
 //
-// (div tau, that of u^n, acts on the grains alone here: for the fluid it is in u^a. It does not change within a step.)
+// (div tau, that of u^n, acts on the grains alone here: for the fluid it is in u^a. It does not change within a step: what
+// grains are not told of the fluid's acceleration is all in Dudt.)
 //
 //  1. Fluid lane, beside 2:  u^a = u^n advected and diffused, from state n alone; what diffuses is u^n + dt Dudt^n, the fluid as
 //     grains hold it back, not as the drive alone would make it.
-//  2. Grain lane (all DEM sub-steps): frozen B u^n, force f = V B G^n + (rho_p - rho) V g + owed / dt + a B Dudt^n and
-//     contacts; exact exponential drag with mass m + a. Record per grain the contact impulse I_c and
-//        J = m (v^{n+1} - v^n) - (f - a B Dudt) dt - I_c        the impulse of drag, added mass and lift it really received
+//  2. Grain lane (all DEM sub-steps): frozen B u^n, force f = V B G^n + (rho_p - rho) V g + owed / dt + a B D^n and
+//     contacts; exact exponential drag with mass m + a. D = Dudt + div tau / rho is the fluid's whole acceleration: in a steady
+//     parallel flow it is zero, although the pressure falls. Record per grain the contact impulse I_c and
+//        J = m (v^{n+1} - v^n) - (f - a B D) dt - I_c        the impulse of drag, added mass and lift it really received
 //     (lift acts in the sub-steps beside f; the fluid feels its reaction through J).
-//     A grain that was held in the last step is not told all of a B Dudt^n (told_acceleration in added_mass.hpp): e, what is
+//     A grain that was held in the last step is not told all of a B D^n (told_acceleration in added_mass.hpp): e, what is
 //     left out times dt, joins the miss of this grain in 4 (put(J) gets put(added e)) and 6.
 //  3. Hold h = contact_share(I_c, m (v^{n+1} - v^n) - I_c), per grain; q = predictor_yield(h) in the predictor,
 //     q = projection_yield(h, b) in the projection, b = K dt / m. Move B to the positions n+1. Deposit (filtered):
@@ -41,7 +43,7 @@
 //        L = rho phi^n u^n - dt div(F rho u) - rho phi^{n+1} u^a,  F the volume flux of the fluid at n   (conserved_ledger).
 // The filtered u, -grad p and Dudt of n+1 are made once: for 6, and kept for 2 of the next step. du, dG and miss at the grains
 // are differences of them, for filter and sampling are linear.
-// `iterated` repeats 2-6 from state n with u, Dudt and G of the last pass in place of those of state n: then step 4 has
+// `iterated` repeats 2-6, and of 1 what diffuses, from state n with u, Dudt and G of the last pass in place of those of state n: then step 4 has
 // rho phi (u^a - u_used), hidden is that of u_used, and miss = u_used - u^a - dt Dudt_used; what is owed stays that of state n, K becomes the mean of
 // the last pass's and that of u_used (Newton's method where drag is quadratic). The first step of a run: `iterated`.
 // `coarse` takes C, v, J, h of 3-5 from a DEM pass of longer sub-steps, `concurrent` from free flight held back by h of the

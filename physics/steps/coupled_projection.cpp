@@ -53,7 +53,7 @@ void CoupledStep::declare_memory(tasks::StageGraph& graph)
 
 /// Viscosity acts on the fluid as it will be, held back by the grains: with the acceleration of the last step. Else
 /// walls and slow neighbours would brake what the drive gives a fluid without grains, in a bed hundreds of times too much.
-void CoupledStep::declare_advected(tasks::StageGraph& graph)
+void CoupledStep::declare_expected(tasks::StageGraph& graph)
 {
     auto& fluid = fluid_.fields();
     const auto expect = [this](LocalBlock, Vectors advected, Vectors gp, Vectors acceleration, const FluidClock& clock, VectorView<double> out) {
@@ -63,6 +63,27 @@ void CoupledStep::declare_advected(tasks::StageGraph& graph)
     };
     graph.each_block("expect velocity beside grains", expect, reads(fluid.advected, fluid.pressure_gradient, fields_.acceleration, clock_),
                      writes(fluid.predicted));
+    fluid_.declare_viscous_guess(graph);
+    fluid_.declare_old_velocity(graph);
+    graph.sink(fluid_.state().velocity_before);
+    declare_advected(graph);
+}
+
+/// A pass that is repeated: with the acceleration of the pass before it.
+void CoupledStep::declare_expected_again(tasks::StageGraph& graph)
+{
+    auto& fluid = fluid_.fields();
+    const auto expect = [](LocalBlock, Vectors advected, Vectors viscous, Vectors acceleration, const FluidClock& clock, VectorView<double> out) {
+        map_components(out, [dt = clock.dt](double u, double change, double a) { return u - change + dt * a; }, advected, viscous, acceleration);
+    };
+    graph.each_block("expect velocity beside grains again", expect, reads(fields_.advected, fluid.viscous_change, fields_.acceleration, clock_),
+                     writes(fluid.predicted));
+    declare_advected(graph);
+}
+
+void CoupledStep::declare_advected(tasks::StageGraph& graph)
+{
+    auto& fluid = fluid_.fields();
     fluid_.declare_implicit_viscosity(graph);
     graph.each_block(
         "advected velocity",
@@ -70,8 +91,6 @@ void CoupledStep::declare_advected(tasks::StageGraph& graph)
             map_components(advected, [dt = clock.dt](double u, double a) { return u - dt * a; }, predicted, acceleration);
         },
         reads(fluid.predicted, fields_.acceleration, clock_), writes(fields_.advected));
-    fluid_.declare_old_velocity(graph);
-    graph.sink(fluid_.state().velocity_before);
 }
 
 void CoupledStep::declare_predictor(tasks::StageGraph& graph, core::FieldBatch<grain_sums>& taken)

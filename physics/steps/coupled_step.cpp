@@ -69,8 +69,10 @@ void CoupledStep::declare(tasks::StageGraph& graph, Mode mode)
             const auto lane = graph.lane("fluid");
             if (pass == 0) {
                 fluid_.declare_advection(graph);
-                declare_advected(graph);
+                declare_expected(graph);
                 if (!waits) declare_assumed(graph, mode);
+            } else if (viscous()) {
+                declare_expected_again(graph);
             }
             declare_predictor(graph, sums);
             declare_volume_flux(graph, sums);

@@ -52,6 +52,8 @@ private:
     void declare_grain_sums(tasks::StageGraph& graph);
     void declare_transport(tasks::StageGraph& graph);
     void declare_memory(tasks::StageGraph& graph);
+    void declare_expected(tasks::StageGraph& graph);
+    void declare_expected_again(tasks::StageGraph& graph);
     void declare_advected(tasks::StageGraph& graph);
     void make_assumed();
     void declare_taking(tasks::StageGraph& graph);

@@ -92,6 +92,7 @@ void FluidStep::declare_predictor(tasks::StageGraph& graph)
                           advected.component(c), gp.component(c));
         },
         reads(f.advected, f.pressure_gradient, clock_), writes(f.predicted));
+    declare_viscous_guess(graph);
     declare_implicit_viscosity(graph);
 }
 
@@ -157,7 +158,7 @@ void FluidStep::declare_advection(tasks::StageGraph& graph)
         reads(halo(f.source, 3), f.displacement), writes(f.advected));
 }
 
-void FluidStep::declare_implicit_viscosity(tasks::StageGraph& graph)
+void FluidStep::declare_viscous_guess(tasks::StageGraph& graph)
 {
     if (!viscosity_system_) return;
     auto& f = fields_;
@@ -167,6 +168,12 @@ void FluidStep::declare_implicit_viscosity(tasks::StageGraph& graph)
             map_components(change, [step = clock.implicit_share() * clock.dt](double a) { return step * a; }, viscous);
         },
         reads(f.viscous, clock_), writes(f.viscous_change));
+}
+
+void FluidStep::declare_implicit_viscosity(tasks::StageGraph& graph)
+{
+    if (!viscosity_system_) return;
+    auto& f = fields_;
     graph.whole(
         "implicit viscosity",
         [this](tasks::Lane& lane, const FluidClock& clock, core::VectorField& change, core::VectorField& predicted) {

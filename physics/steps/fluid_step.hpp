@@ -42,7 +42,9 @@ public:
     void declare_predictor(tasks::StageGraph& graph);
     /// What flows bring: fields().advected.
     void declare_advection(tasks::StageGraph& graph);
-    /// Viscosity acts on the predicted velocity.
+    /// What viscosity may change: what it did at the start of the step.
+    void declare_viscous_guess(tasks::StageGraph& graph);
+    /// Viscosity acts on the predicted velocity; what it changes begins as what it was.
     void declare_implicit_viscosity(tasks::StageGraph& graph);
     /// From the predicted velocity to the new state.
     void declare_projection(tasks::StageGraph& graph);

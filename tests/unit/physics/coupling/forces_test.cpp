@@ -110,12 +110,22 @@ TEST_CASE("lift points where it must")
     CHECK(physics::shear_lift(in) == Vec3::Zero());
 }
 
-TEST_CASE("the measured share of the lift is that of Lun and Liu (1997) within the scatter of measurements")
+TEST_CASE("the lift of Lun and Liu falls from that of Rubinow and Keller to what was measured at large Reynolds numbers")
 {
-    for (const double reynolds : {550.0, 1600.0}) {
-        const double fitted = 0.178 + 0.822 * std::pow(reynolds, -0.522);
-        CHECK(std::abs(physics::magnus_share_measured / fitted - 1.0) < 0.1); // Tsuji et al. state 25 %
-    }
+    physics::CouplingParameters p; // water
+    const double d = 2e-3;
+    const auto share = [&](double reynolds) { return physics::magnus_share(p, reynolds * 1e-6 / d, d); };
+    CHECK(share(0.0) == 1.0);
+    CHECK(share(0.5) == 1.0);
+    CHECK(share(1.0001) == test::relative(1.0).epsilon(1e-4)); // 0.178 + 0.822
+    // By hand: 100^-0.522 = 10^-1.044 = 0.090365, 1000^-0.522 = 10^-1.566 = 0.027164.
+    CHECK(share(100.0) == test::relative(0.25228).epsilon(1e-4));
+    CHECK(share(1000.0) == test::relative(0.20033).epsilon(1e-4));
+    for (const double reynolds : {550.0, 1600.0}) CHECK(std::abs(share(reynolds) / physics::magnus_share_tsuji - 1.0) < 0.1); // which is known to 25 %
+    p.magnus = physics::MagnusLaw::rubinow_keller;
+    CHECK(share(1000.0) == 1.0);
+    p.magnus = physics::MagnusLaw::tsuji;
+    CHECK(share(1.0) == physics::magnus_share_tsuji);
 }
 
 TEST_CASE("spin decays in fluid at rest as exp(-60 mu t / (rho_p d^2)), and turns with the shear")

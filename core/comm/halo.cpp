@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/comm/halo.hpp"
+#include "core/grid/sub_face_values.hpp"
 #include <algorithm>
 #include <cstring>
 #include <map>
@@ -106,11 +107,9 @@ void HaloExchange::request(const Mesh& mesh, const Communicator& communicator, i
     std::vector<HomeBound> bound;
     for (LocalBlock b = 0; b < mesh.own_count(); ++b) {
         const Extents n = mesh.own_cells()[std::size_t(b)];
-        for (const HaloRow& row : halo_rows(mesh.topology(), mesh.global(b), width, shape)) {
-            const CellPlace target{b, offset_of(n, field_halo, row.cell)};
-            const std::int64_t element = offset_of(n, width, row.cell);
+        const auto add = [&](const CellPlace& target, std::int64_t element, const std::vector<HaloSource>& row) {
             Row r{target, int(sources_.size()), 0};
-            for (const HaloSource& s : row.sources) {
+            for (const HaloSource& s : row) {
                 const int rank = mesh.owner(s.block);
                 if (rank == communicator.rank()) {
                     const CellPlace place{mesh.local(s.block), offset_of(mesh.cells(s.block), field_halo, s.cell)};
@@ -124,7 +123,12 @@ void HaloExchange::request(const Mesh& mesh, const Communicator& communicator, i
             }
             r.last = int(sources_.size());
             rows_.push_back(r);
-        }
+        };
+        for (const HaloRow& row : halo_rows(mesh.topology(), mesh.global(b), width, shape))
+            add({b, offset_of(n, field_halo, row.cell)}, offset_of(n, width, row.cell), row.sources);
+        const auto behind = sub_face_values(mesh.topology(), mesh.global(b)).rows;
+        for (std::size_t v = 0; v < behind.size(); ++v)
+            add({b, end_of_halo(n, field_halo) + std::ptrdiff_t(v)}, end_of_halo(n, width) + std::int64_t(v), behind[v]);
     }
     std::vector<std::vector<std::byte>> asked;
     for (const auto& list : requests) {
@@ -141,7 +145,8 @@ void HaloExchange::request(const Mesh& mesh, const Communicator& communicator, i
         }
     }
     std::sort(bound.begin(), bound.end(), [](const HomeBound& a, const HomeBound& b) {
-        return std::tuple(a.home.block, a.home.offset, a.target, a.element) < std::tuple(b.home.block, b.home.offset, b.target, b.element);
+        return std::tuple(a.home.block, a.home.offset, a.target, a.element, a.weight) <
+               std::tuple(b.home.block, b.home.offset, b.target, b.element, b.weight);
     });
     for (const HomeBound& h : bound) {
         const bool another = homes_.empty() || homes_.back().target.block != h.home.block || homes_.back().target.offset != h.home.offset;

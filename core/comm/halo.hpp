@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Filling the halos of cell fields from the blocks beyond: copies inside the rank, one message between each pair of
-// ranks. start() and finish() enclose the waiting, so that a task can do other work meanwhile. The transpose adds what
-// was deposited in halos to the cells that it belongs to.
+// Filling the halos of cell fields, and what they keep behind them, from the blocks beyond: copies inside the rank, one
+// message between each pair of ranks. start() and finish() enclose the waiting, so that a task can do other work meanwhile.
+// The transpose adds what was deposited in halos to the cells that it belongs to.
 #include "core/comm/communicator.hpp"
 #include "core/field/field.hpp"
 #include "core/grid/mesh.hpp"

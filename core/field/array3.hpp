@@ -10,6 +10,13 @@
 
 namespace core {
 
+/// Offset from element (0, 0, 0) to what lies behind the last element of the halo.
+[[nodiscard]] inline std::ptrdiff_t end_of_halo(Extents e, int halo)
+{
+    const std::ptrdiff_t stride_j = e.ni + 2 * halo, stride_k = stride_j * (e.nj + 2 * halo);
+    return stride_k * (e.nk + halo) - halo * (1 + stride_j);
+}
+
 /// Non-owning view; i is contiguous, (0, 0, 0) the first interior element, `halo` layers lie around the interior.
 template <class T>
 class View {
@@ -31,6 +38,12 @@ public:
     /// Element at a flat offset, as given by offset().
     [[nodiscard]] T& at(std::ptrdiff_t offset) const { return origin_[offset]; }
     [[nodiscard]] std::ptrdiff_t offset(int i, int j, int k) const { return i + stride_j_ * j + stride_k_ * k; }
+    /// Number n of those behind the halo.
+    [[nodiscard]] T& behind_halo(int n) const
+    {
+        assert(n >= 0 && n < extents_.sub_face_values);
+        return origin_[end_of_halo(extents_, halo_) + n];
+    }
     /// First interior element of a row along i.
     [[nodiscard]] T* row(int j, int k) const { return origin_ + stride_j_ * j + stride_k_ * k; }
     [[nodiscard]] Extents extents() const { return extents_; }
@@ -53,7 +66,9 @@ public:
     Array3() = default;
     explicit Array3(Extents extents, int halo = 0, T value = T{})
         : extents_(extents), halo_(halo),
-          data_(std::size_t(Extents{extents.ni + 2 * halo, extents.nj + 2 * halo, extents.nk + 2 * halo}.size()), value)
+          data_(std::size_t(Extents{extents.ni + 2 * halo, extents.nj + 2 * halo, extents.nk + 2 * halo}.size() +
+                            (halo > 0 ? extents.sub_face_values : 0)),
+                value)
     {
     }
 
@@ -63,7 +78,7 @@ public:
     [[nodiscard]] const T& operator()(int i, int j, int k) const { return view()(i, j, k); }
     [[nodiscard]] Extents extents() const { return extents_; }
     [[nodiscard]] int halo() const { return halo_; }
-    /// All elements, halo included.
+    /// All elements, the halo and what lies behind it included.
     [[nodiscard]] std::vector<T>& data() { return data_; }
     [[nodiscard]] const std::vector<T>& data() const { return data_; }
 

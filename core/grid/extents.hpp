@@ -19,13 +19,15 @@ struct Index3 {
 
 struct Extents {
     int ni = 0, nj = 0, nk = 0;
+    /// Numbers that arrays with a halo keep behind it, for sub-faces (sub_face_values.hpp); not counted by size().
+    int sub_face_values = 0;
     [[nodiscard]] std::ptrdiff_t size() const { return std::ptrdiff_t(ni) * nj * nk; }
     [[nodiscard]] int operator[](int axis) const { return axis == 0 ? ni : axis == 1 ? nj : nk; }
     [[nodiscard]] bool contains(Index3 c) const
     {
         return c.i >= 0 && c.j >= 0 && c.k >= 0 && c.i < ni && c.j < nj && c.k < nk;
     }
-    bool operator==(const Extents&) const = default;
+    bool operator==(const Extents& e) const { return ni == e.ni && nj == e.nj && nk == e.nk; }
 };
 
 /// A side of a block: 2 * axis + (0 low, 1 high).

@@ -4,8 +4,10 @@
 #include "core/grid/gradient_matrices.hpp"
 #include "core/grid/hexahedron.hpp"
 #include "core/grid/mesh.hpp"
+#include "core/grid/sub_face_values.hpp"
 
 #include <Eigen/Dense>
+#include <map>
 
 namespace core {
 namespace {
@@ -71,7 +73,7 @@ void fill_centres(BlockGeometry& g, const MultiBlock& grid, const Topology& topo
         for (const HaloSource& s : row.sources)
             x += s.weight * (cell_shape(grid.blocks[std::size_t(s.block)], s.cell).centroid - s.shift);
         set_centre(g, row.cell, x);
-        if (row.sources.size() == 1) continue;
+        if (!row.round_edge) continue;
         constexpr int reach = centre_halo;
         for_each({row.cell.i - reach, row.cell.j - reach, row.cell.k - reach},
                  {row.cell.i + reach + 1, row.cell.j + reach + 1, row.cell.k + reach + 1}, [&](int i, int j, int k) {
@@ -79,14 +81,13 @@ void fill_centres(BlockGeometry& g, const MultiBlock& grid, const Topology& topo
                  });
     }
     for (Side s : all_sides)
-        if (!topology.neighbour(block, s)) mirror_centres(g, v, s);
+        if (topology.at_boundary(block, s)) mirror_centres(g, v, s);
 }
 
-void fill_face(BlockGeometry& g, const Topology& topology, const Vertices& v, BlockId block, int axis, Index3 c)
+void fill_face(BlockGeometry& g, const Topology& topology, BlockId block, int axis, Index3 c, const FaceShape& shape)
 {
-    const FaceShape shape = face_shape(face_corners(v, axis, c));
-    const bool low_boundary = c[axis] == 0 && !topology.neighbour(block, side_of(axis, false));
-    const bool high_boundary = c[axis] == g.cells[axis] && !topology.neighbour(block, side_of(axis, true));
+    const bool low_boundary = c[axis] == 0 && topology.at_boundary(block, side_of(axis, false));
+    const bool high_boundary = c[axis] == g.cells[axis] && topology.at_boundary(block, side_of(axis, true));
     const Vec3 from = low_boundary ? shape.centre : centre(g, shifted(c, axis, -1));
     const Vec3 to = high_boundary ? shape.centre : centre(g, c);
     const Vec3 d = to - from;
@@ -113,7 +114,44 @@ void fill_faces(BlockGeometry& g, const Topology& topology, const Vertices& v, B
         FaceMetrics& f = g.face[std::size_t(axis)];
         for (auto* array : {&f.area_x, &f.area_y, &f.area_z, &f.transmissibility, &f.cross_x, &f.cross_y, &f.cross_z, &f.inverse_square, &f.weight})
             *array = Array3<double>(n, 0, 0.0);
-        for_each_cell(n, [&](int i, int j, int k) { fill_face(g, topology, v, block, axis, {i, j, k}); });
+        for_each_cell(n, [&](int i, int j, int k) {
+            const Index3 face{i, j, k};
+            fill_face(g, topology, block, axis, face, face_shape(face_corners(v, axis, face)));
+        });
+    }
+}
+
+/// Faces beside an interface of sub-faces gain what its edges sweep by bending.
+void bend_faces(BlockGeometry& g, const Topology& topology, const Vertices& v, BlockId block)
+{
+    std::map<std::array<int, 4>, Vec3> gains;
+    for (const AreaChange& c : topology.joints.area_changes)
+        if (c.block == block) gains.try_emplace({c.axis, c.face.k, c.face.j, c.face.i}, Vec3::Zero()).first->second += c.area;
+    for (const auto& [at, gain] : gains) {
+        const Index3 face{at[3], at[2], at[1]};
+        const FaceShape straight = face_shape(face_corners(v, at[0], face));
+        fill_face(g, topology, block, at[0], face, {straight.area + gain, straight.centre});
+    }
+}
+
+/// Faces of joined sides become the sums of their sub-faces.
+void add_sub_faces(BlockGeometry& g, const Topology& topology, const Vertices& v, BlockId block)
+{
+    std::map<std::array<int, 4>, std::pair<Vec3, double>> sums; // area and transmissibility
+    for (const BlockSubFace& s : sub_face_values(topology, block).faces) {
+        Index3 face = s.cell;
+        if (is_high(s.side)) ++face[axis_of(s.side)];
+        const double sense = is_high(s.side) == s.is_a ? 1 : -1;
+        g.sub_faces.push_back({axis_of(s.side), face, s.cell, s.beyond, s.at_centre, s.is_a, sense, s.face->area,
+                               s.face->transmissibility, s.face->cross});
+        auto& sum = sums.try_emplace({axis_of(s.side), face.k, face.j, face.i}, Vec3::Zero(), 0.0).first->second;
+        sum.first += sense * s.face->area;
+        sum.second += s.face->transmissibility;
+    }
+    for (const auto& [at, sum] : sums) {
+        const Index3 face{at[3], at[2], at[1]};
+        fill_face(g, topology, block, at[0], face, {sum.first, face_shape(face_corners(v, at[0], face)).centre});
+        g.face[std::size_t(at[0])].transmissibility.view()[face] = sum.second;
     }
 }
 
@@ -146,9 +184,11 @@ BlockGeometry make_geometry(const MultiBlock& grid, const Topology& topology, Bl
     for_each_cell(g.cells, [&](int i, int j, int k) { g.volume(i, j, k) = cell_shape(v, {i, j, k}).volume; });
     fill_centres(g, grid, topology, block);
     fill_faces(g, topology, v, block);
+    bend_faces(g, topology, v, block);
+    add_sub_faces(g, topology, v, block);
     std::array<bool, 6> inside{}, all;
     all.fill(true);
-    for (const Side s : all_sides) inside[std::size_t(s)] = topology.neighbour(block, s).has_value();
+    for (const Side s : all_sides) inside[std::size_t(s)] = !topology.at_boundary(block, s);
     g.gradient = gradient_matrices(g, inside);
     g.wall_gradient = gradient_matrices(g, all);
     fill_inverse_jacobians(g);

@@ -26,6 +26,18 @@ struct GradientMatrices {
     Array3<double> xx, xy, xz, yy, yz, zz;
 };
 
+/// A sub-face on a side of the block. Its flux is towards increasing index of the block where the sense is +1.
+struct SubFaceMetrics {
+    int axis;                    ///< of the face it is a piece of
+    Index3 face, cell;           ///< that face, and the cell of this block beside it
+    int beyond, at_centre;       ///< numbers of values that fields keep behind their halo (sub_face_values.hpp)
+    bool is_a;                   ///< The area vector points out of this block.
+    double sense;
+    Vec3 area;                   ///< from a to b [m2]
+    double transmissibility;     ///< [m]
+    Vec3 cross;                  ///< [m2]
+};
+
 struct BlockGeometry {
     Extents cells;
     Array3<double> volume;                       ///< [m3]
@@ -33,6 +45,7 @@ struct BlockGeometry {
     std::array<FaceMetrics, 3> face;
     GradientMatrices gradient;      ///< boundary faces take no part (pressure: no normal gradient is assumed)
     GradientMatrices wall_gradient; ///< boundary faces take part with their own value (velocity: no slip)
+    std::vector<SubFaceMetrics> sub_faces; ///< faces of sides that meet others at sub-faces have the sums of their areas
     /// Inverse Jacobian d(xi_m)/d(x_j), [m][j], halo of centre_halo - 1 layers [1/m].
     std::array<std::array<Array3<double>, 3>, 3> inverse_jacobian;
     /// 1 where the six-point stencils reach round a singular edge, else 0.

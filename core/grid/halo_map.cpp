@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/grid/halo_map.hpp"
+#include "core/grid/side_stencil.hpp"
+#include "core/grid/side_tiling.hpp"
 #include <algorithm>
 
 namespace core {
@@ -8,45 +10,87 @@ namespace {
 
 int layers_outside(int c, int n) { return c < 0 ? -c : c >= n ? c - n + 1 : 0; }
 
+/// One way to a halo cell: the cell found, or those that interpolate to it.
+using Way = std::vector<HaloSource>;
+
+/// The cells that interpolate to the centres of a layer beyond a side that does not match its neighbours, straight beyond a cell
+/// of the side. Layers that the block there does not have are continued linearly; layer -1 is the cell itself.
+Way joined_layer(const Topology& topology, const HaloSource& cell, const SidePlace& place, int layer)
+{
+    if (layer < 0) return {cell};
+    if (Way way = layer_stencil(topology, place, layer); !way.empty()) return way;
+    Way way = joined_layer(topology, cell, place, layer - 1), before = joined_layer(topology, cell, place, layer - 2);
+    for (auto& s : way) s.weight *= 2;
+    for (auto& s : before) {
+        s.weight = -s.weight;
+        way.push_back(s);
+    }
+    return way;
+}
+
+Way beyond_joined_side(const Topology& topology, const HaloSource& at, Side side)
+{
+    const int axis = axis_of(side);
+    const Extents n = topology.cells[std::size_t(at.block)];
+    const auto t = tangential_axes(side);
+    const auto& places = topology.joints.places[std::size_t(at.block)][std::size_t(side)];
+    SidePlace place = places[std::size_t(at.cell[t[0]] + n[t[0]] * at.cell[t[1]])];
+    place.shift += at.shift;
+    HaloSource inside = at;
+    inside.cell[axis] = is_high(side) ? n[axis] - 1 : 0;
+    return joined_layer(topology, inside, place, layers_outside(at.cell[axis], n[axis]) - 1);
+}
+
 /// Every way of walking from `at` into the domain; those that end at a boundary give nothing.
-void walk(const Topology& topology, HaloSource at, std::vector<HaloSource>& found, int steps)
+void walk(const Topology& topology, HaloSource at, std::vector<Way>& found, int steps)
 {
     const Extents n = topology.cells[std::size_t(at.block)];
     if (n.contains(at.cell)) {
-        found.push_back(at);
+        found.push_back({at});
         return;
     }
     if (steps == 0) return;
+    int outside = 0;
+    for (int m = 0; m < 3; ++m) outside += layers_outside(at.cell[m], n[m]) > 0;
     for (int m = 0; m < 3; ++m) {
         if (layers_outside(at.cell[m], n[m]) == 0) continue;
-        const auto& beyond = topology.neighbour(at.block, side_of(m, at.cell[m] >= 0));
+        const Side side = side_of(m, at.cell[m] >= 0);
+        const auto& beyond = topology.neighbour(at.block, side);
         if (beyond) walk(topology, {beyond->block, beyond->map(at.cell), at.shift + beyond->shift, 1}, found, steps - 1);
+        else if (outside == 1 && topology.joints.joins(at.block, side)) found.push_back(beyond_joined_side(topology, at, side));
     }
 }
 
-bool same(const HaloSource& a, const HaloSource& b)
+bool same_cell(const HaloSource& a, const HaloSource& b)
 {
     return a.block == b.block && a.cell == b.cell && (a.shift - b.shift).norm() < 1e-9 * (1 + a.shift.norm());
 }
 
-std::vector<HaloSource> unique(const std::vector<HaloSource>& all)
+bool same(const Way& a, const Way& b) { return std::equal(a.begin(), a.end(), b.begin(), b.end(), same_cell); }
+
+/// Ways to a cell that all begin in `block`; none if each of them ends at a boundary.
+std::vector<Way> ways_to(const Topology& topology, BlockId block, Index3 cell, int longest_walk)
 {
-    std::vector<HaloSource> some;
-    for (const auto& s : all)
-        if (std::none_of(some.begin(), some.end(), [&](const HaloSource& t) { return same(s, t); })) some.push_back(s);
-    std::sort(some.begin(), some.end(), [](const HaloSource& a, const HaloSource& b) {
-        return std::tuple(a.block, a.cell.k, a.cell.j, a.cell.i) < std::tuple(b.block, b.cell.k, b.cell.j, b.cell.i);
+    std::vector<Way> found, some;
+    walk(topology, {block, cell, Vec3::Zero(), 1}, found, longest_walk);
+    for (auto& way : found)
+        if (std::none_of(some.begin(), some.end(), [&](const Way& other) { return same(way, other); })) some.push_back(std::move(way));
+    std::sort(some.begin(), some.end(), [](const Way& a, const Way& b) {
+        const HaloSource &first = a.front(), &second = b.front();
+        return std::tuple(first.block, first.cell.k, first.cell.j, first.cell.i) <
+               std::tuple(second.block, second.cell.k, second.cell.j, second.cell.i);
     });
-    for (auto& s : some) s.weight = 1.0 / double(some.size());
     return some;
 }
 
-/// Ways to a cell that all begin in `block`; none if each of them ends at a boundary.
-std::vector<HaloSource> ways_to(const Topology& topology, BlockId block, Index3 cell, int longest_walk)
+/// The mean of some ways, each with a weight.
+void add_mean(const std::vector<Way>& ways, double weight, std::vector<HaloSource>& sources)
 {
-    std::vector<HaloSource> found;
-    walk(topology, {block, cell, Vec3::Zero(), 1}, found, longest_walk);
-    return unique(found);
+    for (const Way& way : ways)
+        for (HaloSource s : way) {
+            s.weight *= weight * (1.0 / double(ways.size()));
+            sources.push_back(s);
+        }
 }
 
 /// Beyond a re-entrant edge of the domain, such as the edge of a step, there is no cell, and no wall of this block that would
@@ -57,7 +101,7 @@ std::vector<HaloSource> continued(const Topology& topology, BlockId block, Index
     std::vector<int> outside;
     for (int m = 0; m < 3; ++m) {
         if (layers_outside(cell[m], n[m]) == 0) continue;
-        if (!topology.neighbour(block, side_of(m, cell[m] >= 0))) return {};
+        if (topology.at_boundary(block, side_of(m, cell[m] >= 0))) return {};
         outside.push_back(m);
     }
     const auto inward = [&](Index3 c, int m) {
@@ -72,10 +116,7 @@ std::vector<HaloSource> continued(const Topology& topology, BlockId block, Index
             for (const auto& [at, sign] : {std::pair(one, 1.0), std::pair(two, 1.0), std::pair(both, -1.0)}) {
                 const auto ways = ways_to(topology, block, at, longest_walk);
                 complete = complete && !ways.empty();
-                for (HaloSource s : ways) {
-                    s.weight *= sign;
-                    all.push_back(s);
-                }
+                add_mean(ways, sign, all);
             }
             if (complete) return all;
         }
@@ -92,9 +133,11 @@ std::vector<HaloRow> halo_rows(const Topology& topology, BlockId block, int widt
     for_each({-width, -width, -width}, {n.ni + width, n.nj + width, n.nk + width}, [&](int i, int j, int k) {
         const int outside = (layers_outside(i, n.ni) > 0) + (layers_outside(j, n.nj) > 0) + (layers_outside(k, n.nk) > 0);
         if (outside == 0 || (shape == HaloShape::faces && outside > 1)) return;
-        auto sources = ways_to(topology, block, {i, j, k}, longest_walk);
-        if (sources.empty() && outside > 1) sources = continued(topology, block, {i, j, k}, longest_walk);
-        if (!sources.empty()) rows.push_back({{i, j, k}, sources});
+        const auto ways = ways_to(topology, block, {i, j, k}, longest_walk);
+        HaloRow row{{i, j, k}, {}, ways.size() != 1};
+        add_mean(ways, 1, row.sources);
+        if (ways.empty() && outside > 1) row.sources = continued(topology, block, row.cell, longest_walk);
+        if (!row.sources.empty()) rows.push_back(std::move(row));
     });
     return rows;
 }

@@ -14,12 +14,13 @@ struct HaloSource {
     double weight = 1;
 };
 
-/// The sources of one halo cell. One source as a rule; round a singular edge of the grid (where three or five blocks
-/// meet) the different ways round are averaged; beyond a re-entrant edge of the domain it is continued linearly, with weights
-/// 1, 1 and -1; none beyond a boundary.
+/// The sources of one halo cell. One source as a rule; beyond a side whose points do not match those of its neighbour, the cells
+/// between which it is interpolated; round a singular edge of the grid (where three or five blocks meet) the different ways round
+/// are averaged; beyond a re-entrant edge of the domain it is continued linearly, with weights 1, 1 and -1; none beyond a boundary.
 struct HaloRow {
     Index3 cell;
     std::vector<HaloSource> sources;
+    bool round_edge = false; ///< averaged or continued
 };
 
 enum class HaloShape {

@@ -32,7 +32,7 @@ public:
     [[nodiscard]] const std::vector<Extents>& own_cells() const { return own_cells_; }
     [[nodiscard]] const BlockGeometry& geometry(LocalBlock b) const { return geometry_[std::size_t(b)]; }
     /// Is this side of a block of this rank a boundary of the domain?
-    [[nodiscard]] bool at_boundary(LocalBlock b, Side s) const { return !topology_.neighbour(global(b), s); }
+    [[nodiscard]] bool at_boundary(LocalBlock b, Side s) const { return topology_.at_boundary(global(b), s); }
 
     [[nodiscard]] std::int64_t total_cells() const;
     [[nodiscard]] double total_volume() const { return total_volume_; } ///< of all blocks [m3]

@@ -13,10 +13,19 @@ namespace core {
 /// The vertices of one block, (ni + 1, nj + 1, nk + 1) [m].
 using Vertices = Array3<Vec3>;
 
+/// Two sides of blocks that lie on each other, wholly or in part, though their points do not match.
+struct SideContact {
+    BlockId a = -1, b = -1;
+    Side side_a = Side::i_low, side_b = Side::i_low;
+    Vec3 shift = Vec3::Zero(); ///< position on b = position on a + shift
+};
+
 struct MultiBlock {
     std::vector<Vertices> blocks;
     /// Translations that carry the domain onto itself [m].
     std::vector<Vec3> periods;
+    /// Sides without matching points that the flow goes through; each must be covered as a whole (touching_sides.hpp finds them).
+    std::vector<SideContact> contacts;
     /// Vertices of sides that meet are at most this share of the side's smallest edge apart.
     double match_tolerance = 1e-6;
     /// Name of the boundary that an unmatched side belongs to.

@@ -17,6 +17,7 @@ struct Node {
 
 using Polygon = std::vector<Node>;
 
+bool is_rim(double value, int last) { return value == 0 || value == last; }
 bool is_whole(double value) { return value == std::floor(value); }
 
 /// The vertices of the other side on the master, ordered as there. Those on edges of the master lie on them exactly.
@@ -31,6 +32,10 @@ public:
                 const double rim = on_rim ? tolerance.rim + at.gap : tolerance.snap;
                 at.p = snapped(at.p, master.np(), tolerance.snap, rim);
                 at.q = snapped(at.q, master.nq(), tolerance.snap, rim);
+                // On the rim the neighbours of the two sides must find the same place.
+                const auto on_line = [&](int axis, double line, double near) { return master.nearest_on_line(axis, int(line), other.vertex(p, q), near); };
+                if (is_rim(at.q, master.nq())) at.p = snapped(on_line(0, at.q, at.p), master.np(), tolerance.snap, rim);
+                if (is_rim(at.p, master.np())) at.q = snapped(on_line(1, at.p, at.q), master.nq(), tolerance.snap, rim);
                 const bool inside = at.p >= 0 && at.p <= master.np() && at.q >= 0 && at.q <= master.nq();
                 const bool on_edge = inside && (is_whole(at.p) || is_whole(at.q));
                 nodes_.push_back({at.p, at.q, on_edge ? master.point(at.p, at.q) : other.vertex(p, q)});

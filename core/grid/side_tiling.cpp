@@ -99,4 +99,22 @@ TilingPlace SideTiling::nearest(const Vec3& x) const
     return at;
 }
 
+double SideTiling::nearest_on_line(int axis, int line, const Vec3& x, double near) const
+{
+    const int count = axis == 0 ? np_ : nq_, from = std::clamp(int(std::floor(near)), 0, count - 1);
+    const auto at = [&](int n) { return axis == 0 ? vertex(n, line) : vertex(line, n); };
+    double best = near, least = std::numeric_limits<double>::infinity();
+    for (int n = std::max(0, from - 1); n <= std::min(count - 1, from + 1); ++n) {
+        const Vec3 along = at(n + 1) - at(n);
+        double share = (x - at(n)).dot(along) / along.squaredNorm();
+        if (n > 0) share = std::max(share, 0.0);
+        if (n < count - 1) share = std::min(share, 1.0);
+        const double distance = (at(n) + share * along - x).squaredNorm();
+        if (distance >= least) continue;
+        least = distance;
+        best = n + share;
+    }
+    return best;
+}
+
 } // namespace core

@@ -34,6 +34,10 @@ public:
     [[nodiscard]] Vec3 point(double p, double q) const;
     /// The nearest place to a point, by Newton's method from face to face.
     [[nodiscard]] TilingPlace nearest(const Vec3& x) const;
+    /// Where on a line of edges the nearest place to a point lies, so that both sides of the line find the same.
+    /// @param axis  0: the line q = `line`, p is returned; 1: the line p = `line`, q is returned.
+    /// @param near  The answer to within one edge.
+    [[nodiscard]] double nearest_on_line(int axis, int line, const Vec3& x, double near) const;
 
 private:
     [[nodiscard]] TilingPlace start(const Vec3& x) const;

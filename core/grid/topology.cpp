@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/grid/topology.hpp"
 #include "core/base/error.hpp"
+#include "core/grid/sub_face_joining.hpp"
 
 namespace core {
 namespace {
@@ -167,8 +168,9 @@ Topology match_sides(MultiBlock& grid)
                 found->a_to_b = cell_map(found->a_to_b);
                 connect(topology, *found);
             }
+    if (!grid.contacts.empty()) topology.joints = join_at_sub_faces(grid, topology);
     for (const SideRef s : sides)
-        if (!topology.neighbour(s.block, s.side))
+        if (topology.at_boundary(s.block, s.side))
             topology.boundaries.push_back({s.block, s.side, grid.boundary_name(s.block, s.side)});
     return topology;
 }

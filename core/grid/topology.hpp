@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Who touches whom: sides of blocks that meet, in any orientation, inside the domain or through a period; and the
-// sides that meet nobody.
+// Who touches whom: sides of blocks that meet, in any orientation, inside the domain or through a period, point by point or
+// at sub-faces; and the sides that meet nobody.
 #include "core/grid/index_map.hpp"
-#include "core/grid/multi_block.hpp"
+#include "core/grid/sub_face_joints.hpp"
 #include <optional>
 
 namespace core {
@@ -35,6 +35,7 @@ struct Boundary {
 struct Topology {
     std::vector<Extents> cells; ///< of every block
     std::vector<Interface> interfaces;
+    SubFaceJoints joints; ///< the sides that meet others without matching points
     std::vector<Boundary> boundaries;
     std::vector<std::array<std::optional<Neighbour>, 6>> neighbours; ///< [block][side]
 
@@ -42,11 +43,14 @@ struct Topology {
     {
         return neighbours[std::size_t(block)][std::size_t(side)];
     }
+    /// Is this side a boundary of the domain?
+    [[nodiscard]] bool at_boundary(BlockId block, Side side) const { return !neighbour(block, side) && !joints.joins(block, side); }
 };
 
-/// Finds the sides that meet. The vertices of the higher block of each pair are set to those of the lower one, so that
-/// both see the same surface to the last bit (to round-off through a period).
-/// @throws ConfigError if a side meets more than one other.
+/// Finds the sides that meet point by point, and joins those of grid.contacts at sub-faces. Of sides that match, the vertices of
+/// the higher block are set to those of the lower one, so that both see the same surface to the last bit (to round-off through a
+/// period).
+/// @throws ConfigError if a side meets more than one other point by point, or if one of a contact cannot be joined.
 [[nodiscard]] Topology match_sides(MultiBlock& grid);
 
 } // namespace core

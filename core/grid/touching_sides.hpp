@@ -6,9 +6,7 @@
 
 namespace core {
 
-struct TouchingSides {
-    BlockId a = -1, b = -1;
-    Side side_a = Side::i_low, side_b = Side::i_low;
+struct TouchingSides : SideContact {
     double share = 0; ///< of the smaller side that lies on the other
 };
 

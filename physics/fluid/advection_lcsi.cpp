@@ -253,7 +253,7 @@ std::array<bool, 3> singular_axes(const core::Topology& topology, core::BlockId 
     std::array<bool, 3> axes{};
     const core::Extents n = topology.cells[std::size_t(block)];
     for (const core::HaloRow& row : core::halo_rows(topology, block, 1, core::HaloShape::full)) {
-        if (row.sources.size() < 2) continue;
+        if (!row.round_edge) continue;
         for (int m = 0; m < 3; ++m)
             if (row.cell[m] >= 0 && row.cell[m] < n[m]) axes[std::size_t(m)] = true;
     }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #include "physics/fluid/face_flux.hpp"
+#include "physics/fluid/sub_face_flux.hpp"
 
 #include <cmath>
 
@@ -64,6 +65,7 @@ void gradient_flux(const core::BlockGeometry& geometry, core::View<const double>
 {
     for (int axis = 0; axis < 3; ++axis)
         gradient_flux_along(geometry.face[std::size_t(axis)], axis, q, gradients, flux.along(axis));
+    sub_face_gradient_flux(geometry, q, gradients, flux);
 }
 
 void close_walls(const BlockWalls& walls, core::FaceView<double> flux)
@@ -96,6 +98,7 @@ void interpolated_flux(const core::BlockGeometry& geometry, const BlockWalls& wa
 {
     for (int axis = 0; axis < 3; ++axis)
         interpolated_flux_along(geometry.face[std::size_t(axis)], axis, u, flux.along(axis));
+    sub_face_interpolated_flux(geometry, u, flux);
     wall_flux(geometry, walls, flux);
 }
 

@@ -28,6 +28,17 @@ void add_interface(const core::Mesh& mesh, const core::Interface& f, MeshLinks& 
     });
 }
 
+void add_sub_faces(const core::Mesh& mesh, const core::SubFaceInterface& f, MeshLinks& links)
+{
+    const core::SideContact& c = f.contact;
+    const core::Extents na = mesh.cells(c.a), nb = mesh.cells(c.b);
+    for (const core::JoinedSubFace& s : f.faces) {
+        links.topology.links.push_back(
+            {{c.a, cell_index(na, s.a.i, s.a.j, s.a.k), c.side_a}, {c.b, cell_index(nb, s.b.i, s.b.j, s.b.k), c.side_b}});
+        links.transmissibility.push_back(s.transmissibility);
+    }
+}
+
 void add_wall(const core::Mesh& mesh, const core::Boundary& boundary, MeshLinks& links)
 {
     const core::LocalBlock block = mesh.local(boundary.block);
@@ -51,6 +62,8 @@ MeshLinks make_mesh_links(const core::Mesh& mesh, int rank, const std::function<
     links.topology.rank = rank;
     for (const core::Interface& f : mesh.topology().interfaces)
         if (mesh.owner(f.a) == rank || mesh.owner(f.b) == rank) add_interface(mesh, f, links);
+    for (const core::SubFaceInterface& f : mesh.topology().joints.interfaces)
+        if (mesh.owner(f.contact.a) == rank || mesh.owner(f.contact.b) == rank) add_sub_faces(mesh, f, links);
     for (const core::Boundary& boundary : mesh.topology().boundaries)
         if (mesh.owner(boundary.block) == rank && gives_value(boundary)) add_wall(mesh, boundary, links);
     return links;

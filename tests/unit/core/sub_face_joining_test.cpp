@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+// Blocks whose points do not match as one mesh: closed cells, one area for each sub-face, values beyond (NUMERICS B8).
+#include "core/base/error.hpp"
+#include "core/comm/halo.hpp"
+#include "core/grid/sub_face_values.hpp"
+#include "tests/support/joined_boxes.hpp"
+#include <doctest/doctest.h>
+
+using core::Mesh, core::Vec3;
+
+namespace {
+
+/// Largest sum of area vectors of a cell over its largest face.
+double open_part(const Mesh& mesh)
+{
+    double most = 0;
+    for (core::LocalBlock b = 0; b < mesh.own_count(); ++b) {
+        const auto& g = mesh.geometry(b);
+        core::for_each_cell(g.cells, [&](int i, int j, int k) {
+            const Vec3 sum = g.area(0, i + 1, j, k) - g.area(0, i, j, k) + g.area(1, i, j + 1, k) - g.area(1, i, j, k) +
+                             g.area(2, i, j, k + 1) - g.area(2, i, j, k);
+            double largest = 0;
+            for (int axis = 0; axis < 3; ++axis) largest = std::max(largest, g.area(axis, i, j, k).norm());
+            most = std::max(most, sum.norm() / largest);
+        });
+    }
+    return most;
+}
+
+double linear(const Vec3& x) { return 2 + x.x() - 0.7 * x.y() + 0.4 * x.z(); }
+
+core::ScalarField filled(const Mesh& mesh, const std::function<double(const Vec3&)>& value)
+{
+    core::ScalarField field({"value", "1", 3, false}, mesh.own_cells());
+    field.allocate();
+    for (core::LocalBlock b = 0; b < mesh.own_count(); ++b)
+        core::for_each_cell(mesh.geometry(b).cells, [&](int i, int j, int k) { field.on(b)(i, j, k) = value(mesh.geometry(b).centre(i, j, k)); });
+    core::HaloExchange(mesh, core::Communicator::self(), 3, 3, core::HaloShape::full).fill(field);
+    return field;
+}
+
+/// Two boxes on one, each with points of its own.
+core::MultiBlock two_on_one(double curvature)
+{
+    const core::Box below{{0, 0, 0}, {2, 1, 1}, {7, 3, 4}, {1, 1, 1}, {}}, left{{0, 1, 0}, {0.8, 2, 1}, {4, 5, 3}, {1, 1, 1}, {}},
+        right{{0.8, 1, 0}, {2, 2, 1}, {5, 5, 5}, {1, 1, 1}, {}};
+    return test::joined({below, left, right}, {}, [=](const Vec3& x) {
+        return Vec3(x + Vec3(0.1 * x.y() * x.z(), 0.3 * x.x() + curvature * std::sin(3 * x.x()) * (1 + x.z()), 0));
+    });
+}
+
+} // namespace
+
+TEST_CASE("all cells are closed where curved blocks without matching points meet")
+{
+    for (const test::Halves& cells : {test::Halves{{4, 6, 8}, {4, 9, 12}}, {{4, 6, 8}, {3, 12, 8}}, {{3, 5, 6}, {5, 7, 11}}}) {
+        const Mesh mesh(test::wavy_halves(cells, 0.3, 37), 0, 1);
+        CHECK(mesh.topology().joints.interfaces.size() == 2);
+        CHECK(mesh.topology().boundaries.empty());
+        CHECK(open_part(mesh) < 1e-13); // round-off of some 100 products
+    }
+    const Mesh mesh(two_on_one(0), 0, 1);
+    CHECK(mesh.topology().joints.interfaces.size() == 3); // left and right have points of their own too
+    CHECK(open_part(mesh) < 1e-13);
+    // Three sides that bend differently leave a gap along the line where they meet.
+    CHECK_THROWS_AS(Mesh(two_on_one(0.05), 0, 1), core::ConfigError);
+}
+
+TEST_CASE("both blocks beside an interface have the same sub-faces")
+{
+    const Mesh mesh(test::wavy_halves({{4, 6, 8}, {4, 9, 12}}, 0.3, 0), 0, 1);
+    Vec3 sum = Vec3::Zero();
+    std::size_t of_a = 0, of_b = 0;
+    for (core::LocalBlock b = 0; b < 2; ++b)
+        for (const core::SubFaceMetrics& s : mesh.geometry(b).sub_faces) {
+            sum += s.is_a ? s.area : Vec3(-s.area);
+            ++(s.is_a ? of_a : of_b);
+        }
+    CHECK(of_a == of_b);
+    CHECK(of_a > 2 * 12 * 9);
+    CHECK(sum.norm() < 1e-13); // the same vectors, added in another order
+}
+
+TEST_CASE("values beyond sides without matching points are those of a linear field at the places the halo has")
+{
+    const Mesh mesh(two_on_one(0), 0, 1);
+    const core::ScalarField field = filled(mesh, linear);
+    double worst = 0;
+    int beyond = 0;
+    for (core::LocalBlock b = 0; b < mesh.own_count(); ++b)
+        for (const core::HaloRow& row : core::halo_rows(mesh.topology(), b, 3, core::HaloShape::full)) {
+            const Vec3 x = mesh.geometry(b).centre(row.cell.i, row.cell.j, row.cell.k);
+            worst = std::max(worst, std::abs(field.on(b)[row.cell] - linear(x)));
+            beyond += row.sources.size() > 1;
+        }
+    CHECK(beyond > 300);
+    CHECK(worst < 1e-12); // weights of up to 6 that add up to 1, values of 5
+}
+
+TEST_CASE("values at sub-faces are second order across the interface, fourth along it")
+{
+    const auto error = [](int n, const std::function<double(const Vec3&)>& value) {
+        const Mesh mesh(test::wavy_halves({{2 * n, 2 * n, 2 * n}, {2 * n, 3 * n, 3 * n}}, 0, 0), 0, 1);
+        const core::ScalarField field = filled(mesh, value);
+        double worst = 0;
+        for (core::LocalBlock b = 0; b < 2; ++b)
+            for (const core::BlockSubFace& s : core::sub_face_values(mesh.topology(), b).faces) {
+                const core::SidePlace& at = s.face->on_a;
+                const double h = 2 * std::numbers::pi / mesh.cells(at.block).nj;
+                const double x = at.side == core::Side::i_high ? std::numbers::pi : 0;
+                worst = std::max(worst, std::abs(field.on(b).behind_halo(s.at_centre) - value({x, at.p * h, at.q * h})));
+            }
+        return worst;
+    };
+    const auto along = [](const Vec3& x) { return std::sin(x.y()) * std::cos(x.z()); };
+    const auto across = [](const Vec3& x) { return std::cos(x.x()); };
+    CHECK(std::log2(error(6, along) / error(12, along)) > 3.8);
+    CHECK(std::log2(error(6, across) / error(12, across)) > 1.9);
+}
+
+TEST_CASE("a side that others cover in part only is refused by name")
+{
+    const core::Box below{{0, 0, 0}, {2, 1, 1}, {8, 3, 4}, {1, 1, 1}, {}}, above{{0, 1, 0}, {1, 2, 1}, {5, 3, 3}, {1, 1, 1}, {}};
+    CHECK_THROWS_WITH_AS(Mesh(test::joined({below, above}, {}, [](const Vec3& x) { return x; }), 0, 1),
+                         "side j_high of block 0 lies on others over 0 % of its face (4, 0) only: let it end where they end", core::ConfigError);
+}

@@ -37,7 +37,7 @@ World::World(const Scene& scene, const core::Communicator& ranks) : World(scene,
 
 World::World(const Scene& scene, core::MultiBlock blocks, const core::Communicator& ranks)
     : scene_(scene), ranks_(ranks), mesh_(std::move(blocks), ranks.rank(), ranks.size()), locator_(mesh_),
-      halos_(mesh_, ranks_, core::HaloShape::full), graph_(layout(), ranks_)
+      halos_(mesh_, ranks_), graph_(layout(), ranks_)
 {
     graph_.fill_halos_with(halos_);
     if (scene_.fluid) {

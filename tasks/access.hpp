@@ -17,7 +17,7 @@ enum class Mode {
 template <Resource R, Mode M>
 struct Access {
     R* resource;
-    int halo = 0; ///< layers around the block that the kernel reads
+    core::HaloReach halo{}; ///< what the kernel reads around the block
     static constexpr Mode mode = M;
     using Type = R;
 
@@ -45,15 +45,24 @@ struct Access {
 template <Resource R>
 struct WithHalo {
     R& resource;
-    int width;
+    core::HaloReach reach;
 };
 
-/// reads(halo(u, 2)): the stage reads u and two layers around each block; the graph fills them when they are stale.
+/// reads(halo(u, 2)): the stage reads u and two layers around each block, edges and corners too; the graph fills them when
+/// they are stale.
 template <Resource R>
 [[nodiscard]] WithHalo<R> halo(R& field, int width)
 {
     static_assert(has_halo<R>, "only a ScalarField or VectorField has a halo");
-    return {field, width};
+    return {field, {width, core::HaloShape::full}};
+}
+
+/// reads(beside(u)): the stage reads u and the cells straight beyond the sides of each block.
+template <Resource R>
+[[nodiscard]] WithHalo<R> beside(R& field)
+{
+    static_assert(has_halo<R>, "only a ScalarField or VectorField has a halo");
+    return {field, core::beside};
 }
 
 namespace detail {
@@ -61,14 +70,14 @@ namespace detail {
 template <Mode M, Resource R>
 [[nodiscard]] Access<R, M> access(R& resource)
 {
-    return {&resource, 0};
+    return {&resource, {}};
 }
 
 template <Mode M, Resource R>
 [[nodiscard]] Access<R, M> access(WithHalo<R> field)
 {
     static_assert(M != Mode::write && M != Mode::update_halo, "the graph fills halos: a stage can only read them");
-    return {&field.resource, field.width};
+    return {&field.resource, field.reach};
 }
 
 } // namespace detail

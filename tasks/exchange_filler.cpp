@@ -12,15 +12,15 @@ int halo_of(FieldRef field)
 
 } // namespace
 
-void ExchangeFiller::prepare(FieldRef field, int width)
+void ExchangeFiller::prepare(FieldRef field, core::HaloReach reach)
 {
-    const std::pair key{halo_of(field), width};
-    if (!exchanges_.contains(key)) exchanges_.try_emplace(key, mesh_, ranks_, key.first, width, shape_);
+    const std::pair key{halo_of(field), reach};
+    if (!exchanges_.contains(key)) exchanges_.try_emplace(key, mesh_, ranks_, key.first, reach.width, reach.shape);
 }
 
-Job ExchangeFiller::fill(Lane& lane, FieldRef field, int width)
+Job ExchangeFiller::fill(Lane& lane, FieldRef field, core::HaloReach reach)
 {
-    const core::HaloExchange& exchange = exchanges_.at({halo_of(field), width});
+    const core::HaloExchange& exchange = exchanges_.at({halo_of(field), reach});
     core::HaloExchange::Flight flight;
     {
         const auto mpi = lane.messages();

@@ -3,6 +3,7 @@
 #pragma once
 // What a stage can read or write: fields with a part in each block, and whole objects of which a rank has one.
 #include "core/field/field.hpp"
+#include "core/grid/halo_map.hpp"
 #include <concepts>
 #include <functional>
 #include <string>

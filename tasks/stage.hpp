@@ -42,7 +42,7 @@ struct Stage {
     std::function<void(Lane&)> on_rank;       ///< of any other whole stage
     std::optional<std::string> effect;        ///< label of an effect outside the graph; "" = in every step
     std::optional<FieldRef> halo_of;          ///< of a stage that fills a halo
-    int halo_width = 0;
+    core::HaloReach halo_reach{};
     std::optional<core::Communicator> communicator; ///< of a whole stage, once compiled
 
     [[nodiscard]] bool whole() const { return !on_block; }
@@ -59,7 +59,7 @@ void add_touches(const Access<R, M>& access, std::vector<Touch>& touches)
         touches.push_back({access.resource, Region::halo, Mode::update, divided});
     } else {
         touches.push_back({access.resource, Region::interior, M, divided});
-        if (access.halo > 0) touches.push_back({access.resource, Region::halo, Mode::read, divided});
+        if (access.halo.width > 0) touches.push_back({access.resource, Region::halo, Mode::read, divided});
     }
 }
 

@@ -41,23 +41,23 @@ void StageGraph::check_halo(const core::FieldInfo& field, int width)
                                                                " halo layers, but a stage reads ", width));
 }
 
-void StageGraph::refresh_halo(const void* id, FieldRef field, const std::string& name, int width)
+void StageGraph::refresh_halo(const void* id, FieldRef field, const std::string& name, core::HaloReach reach)
 {
     core::require<core::Error>(filler_ != nullptr, "nobody fills halos: call fill_halos_with() first");
     Halo& halo = halos_[id];
     if (halo.fresh) {
-        int& filled = stages_[halo.stage].halo_width;
-        filled = std::max(filled, width);
+        core::HaloReach& filled = stages_[halo.stage].halo_reach;
+        filled = joined(filled, reach);
         return;
     }
     Stage fill;
     fill.name = "halo of " + name;
     fill.lane = lane_;
     fill.halo_of = field;
-    fill.halo_width = width;
+    fill.halo_reach = reach;
     fill.touches = {{id, Region::interior, Mode::read, true}, {id, Region::halo, Mode::write, true}};
     fill.job = [this, field, index = stages_.size()](Lane& lane) {
-        return filler_->fill(lane, field, stages_[index].halo_width);
+        return filler_->fill(lane, field, stages_[index].halo_reach);
     };
     halo.fresh = true;
     halo.stage = stages_.size();
@@ -73,7 +73,7 @@ Plan StageGraph::compile(const std::vector<std::string>& due)
         if (!plan.verdicts()[s].kept) continue;
         for (const Touch& touch : stages_[s].touches) needed.insert(touch.resource);
         if (stages_[s].whole() && !stages_[s].communicator) stages_[s].communicator = ranks_.duplicate();
-        if (stages_[s].halo_of) filler_->prepare(*stages_[s].halo_of, stages_[s].halo_width);
+        if (stages_[s].halo_of) filler_->prepare(*stages_[s].halo_of, stages_[s].halo_reach);
     }
     for (const auto& resource : resources_)
         if (resource.allocate && needed.contains(resource.id)) resource.allocate();

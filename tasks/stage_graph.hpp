@@ -17,9 +17,9 @@ class HaloFiller {
 public:
     virtual ~HaloFiller() = default;
     /// Called while compiling, for every fill that is kept, in the order of the text. Collective.
-    virtual void prepare(FieldRef, int /*width*/) {}
-    /// Fills `width` layers or more around every block of this rank.
-    [[nodiscard]] virtual Job fill(Lane& lane, FieldRef field, int width) = 0;
+    virtual void prepare(FieldRef, core::HaloReach) {}
+    /// Fills what `reach` says or more around every block of this rank.
+    [[nodiscard]] virtual Job fill(Lane& lane, FieldRef field, core::HaloReach reach) = 0;
 };
 
 class StageGraph {
@@ -136,17 +136,17 @@ private:
     {
         remember(record_of(*access.resource));
         if constexpr (has_halo<R>)
-            if (access.halo > 0) refresh_halo(*access.resource, access.halo);
+            if (access.halo.width > 0) refresh_halo(*access.resource, access.halo);
         add_touches(access, stage.touches);
     }
     template <class Field>
-    void refresh_halo(Field& field, int width)
+    void refresh_halo(Field& field, core::HaloReach reach)
     {
-        check_halo(field.info(), width);
-        refresh_halo(&field, FieldRef(&field), std::string(field.name()), width);
+        check_halo(field.info(), reach.width);
+        refresh_halo(&field, FieldRef(&field), std::string(field.name()), reach);
     }
     static void check_halo(const core::FieldInfo& field, int width);
-    void refresh_halo(const void* id, FieldRef field, const std::string& name, int width);
+    void refresh_halo(const void* id, FieldRef field, const std::string& name, core::HaloReach reach);
     void remember(ResourceRecord record);
     void renew_communicators();
     void give_up(int stage, Job job);

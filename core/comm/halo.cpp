@@ -42,13 +42,6 @@ std::vector<T> from_bytes(const std::vector<std::byte>& bytes)
     return items;
 }
 
-void copy_run(const double* from, int from_step, double* to, int to_step, int count)
-{
-    if (from_step == 1 && to_step == 1) std::copy_n(from, count, to);
-    else
-        for (int n = 0; n < count; ++n) to[std::ptrdiff_t(n) * to_step] = from[std::ptrdiff_t(n) * from_step];
-}
-
 /// A halo value on its way home, with what fixes its place in the sum.
 struct HomeBound {
     CellPlace home;
@@ -69,34 +62,22 @@ HaloExchange::HaloExchange(const Mesh& mesh, const Communicator& communicator, i
     find_copies();
 }
 
-/// Lengthens the last row if it goes on with the same steps, or begins another.
-void HaloExchange::Copies::add(std::ptrdiff_t to, std::ptrdiff_t from)
-{
-    if (!runs.empty()) {
-        Run& last = runs.back();
-        if (last.count == 1) {
-            last.to_step = int(to - last.to);
-            last.from_step = int(from - last.from);
-        }
-        if (to == last.to + last.count * std::ptrdiff_t(last.to_step) && from == last.from + last.count * std::ptrdiff_t(last.from_step)) {
-            ++last.count;
-            return;
-        }
-    }
-    runs.push_back({to, from, 1, 1, 1});
-}
-
 void HaloExchange::find_copies()
 {
     std::map<std::pair<LocalBlock, LocalBlock>, Copies> copies;
     for (const Row& row : rows_) {
-        const Source& source = sources_[std::size_t(row.first)];
-        if (row.last - row.first > 1 || source.rank >= 0) {
-            mixed_rows_.push_back(row);
+        const std::span<const Source> sources(sources_.data() + row.first, std::size_t(row.last - row.first));
+        if (std::any_of(sources.begin(), sources.end(), [](const Source& s) { return s.rank >= 0; })) {
+            arrivals_.push_back(row);
             continue;
         }
+        if (sources.size() > 1) {
+            blends_.push_back(row);
+            continue;
+        }
+        const Source& source = sources.front();
         Copies& between = copies.try_emplace({row.target.block, source.place.block}, Copies{row.target.block, source.place.block, {}}).first->second;
-        between.add(row.target.offset, source.place.offset);
+        between.values.add(row.target.offset, source.place.offset);
     }
     for (auto& [blocks, between] : copies) copies_.push_back(std::move(between));
 }
@@ -171,75 +152,69 @@ void HaloExchange::post(Flight& flight, const Communicator& space, bool transpos
 
 void HaloExchange::start_arrays(const Arrays& arrays, Flight& flight, const Communicator& space) const
 {
-    const std::size_t count = arrays.empty() ? 0 : arrays[0].size();
     flight.sent.resize(wanted_from_here_.size());
     for (std::size_t r = 0; r < wanted_from_here_.size(); ++r) {
         auto& buffer = flight.sent[r];
         buffer.clear();
         for (const CellPlace& p : wanted_from_here_[r])
-            for (std::size_t a = 0; a < count; ++a) buffer.push_back(arrays[std::size_t(p.block)][a][p.offset]);
+            for (std::size_t a = 0; a < arrays.count; ++a) buffer.push_back(arrays.of(p.block)[a][p.offset]);
     }
-    post(flight, space, false, count);
+    post(flight, space, false, arrays.count);
 }
 
 void HaloExchange::finish_arrays(const Arrays& arrays, const Flight& flight) const
 {
-    const std::size_t count = arrays.empty() ? 0 : arrays[0].size();
-    const auto value = [&](const Source& s, std::size_t a) {
-        return s.rank < 0 ? arrays[std::size_t(s.place.block)][a][s.place.offset]
-                          : flight.received[std::size_t(s.rank)][std::size_t(s.slot) * count + a];
-    };
+    const std::size_t count = arrays.count;
     for (const Copies& block : copies_)
+        for (std::size_t a = 0; a < count; ++a) block.values.copy(arrays.of(block.source)[a], arrays.of(block.target)[a]);
+    const auto blend = [&](const Row& row, auto value) {
+        const std::span<const Source> sources(sources_.data() + row.first, std::size_t(row.last - row.first));
+        double* const* target = arrays.of(row.target.block);
         for (std::size_t a = 0; a < count; ++a) {
-            double* to = arrays[std::size_t(block.target)][a];
-            const double* from = arrays[std::size_t(block.source)][a];
-            for (const auto& run : block.runs) copy_run(from + run.from, run.from_step, to + run.to, run.to_step, run.count);
-        }
-    for (const Row& row : mixed_rows_) {
-        const auto& target = arrays[std::size_t(row.target.block)];
-        const Source& first = sources_[std::size_t(row.first)];
-        for (std::size_t a = 0; a < count; ++a) {
-            double sum = value(first, a);
-            if (row.last - row.first > 1) {
-                sum *= first.weight;
-                for (int s = row.first + 1; s < row.last; ++s) sum += sources_[std::size_t(s)].weight * value(sources_[std::size_t(s)], a);
-            }
+            double sum = sources[0].weight * value(sources[0], a);
+            for (const Source& s : sources.subspan(1)) sum += s.weight * value(s, a);
             target[a][row.target.offset] = sum;
         }
-    }
+    };
+    const auto here = [&](const Source& s, std::size_t a) { return arrays.of(s.place.block)[a][s.place.offset]; };
+    for (const Row& row : blends_) blend(row, here);
+    for (const Row& row : arrivals_)
+        blend(row, [&](const Source& s, std::size_t a) {
+            return s.rank < 0 ? here(s, a) : flight.received[std::size_t(s.rank)][std::size_t(s.slot) * count + a];
+        });
 }
 
 void HaloExchange::start_transpose_arrays(const Arrays& arrays, Flight& flight, const Communicator& space) const
 {
-    const std::size_t count = arrays.empty() ? 0 : arrays[0].size();
     flight.sent.resize(wanted_there_.size());
+    const std::size_t count = arrays.count;
     for (std::size_t r = 0; r < wanted_there_.size(); ++r) flight.sent[r].assign(std::size_t(wanted_there_[r]) * count, 0.0);
     for (const Row& row : rows_)
         for (int n = row.first; n < row.last; ++n) {
             const Source& s = sources_[std::size_t(n)];
             if (s.rank < 0) continue;
             for (std::size_t a = 0; a < count; ++a)
-                flight.sent[std::size_t(s.rank)][std::size_t(s.slot) * count + a] = arrays[std::size_t(row.target.block)][a][row.target.offset];
+                flight.sent[std::size_t(s.rank)][std::size_t(s.slot) * count + a] = arrays.of(row.target.block)[a][row.target.offset];
         }
-    post(flight, space, true, count);
+    post(flight, space, true, arrays.count);
 }
 
 void HaloExchange::finish_transpose_arrays(const Arrays& arrays, const Flight& flight) const
 {
-    const std::size_t count = arrays.empty() ? 0 : arrays[0].size();
+    const std::size_t count = arrays.count;
     for (const Home& home : homes_) {
-        const auto& target = arrays[std::size_t(home.target.block)];
+        double* const* target = arrays.of(home.target.block);
         for (int n = home.first; n < home.last; ++n) {
             const Contribution& c = contributions_[std::size_t(n)];
             const auto add = [&](auto value) {
                 for (std::size_t a = 0; a < count; ++a) target[a][home.target.offset] += c.weight * value(a);
             };
-            if (c.rank < 0) add([&from = arrays[std::size_t(c.place.block)], at = c.place.offset](std::size_t a) { return from[a][at]; });
+            if (c.rank < 0) add([from = arrays.of(c.place.block), at = c.place.offset](std::size_t a) { return from[a][at]; });
             else add([values = flight.received[std::size_t(c.rank)].data() + std::size_t(c.slot) * count](std::size_t a) { return values[a]; });
         }
     }
     for (const Row& row : rows_)
-        for (double* array : arrays[std::size_t(row.target.block)]) array[row.target.offset] = 0;
+        for (std::size_t a = 0; a < count; ++a) arrays.of(row.target.block)[a][row.target.offset] = 0;
 }
 
 } // namespace core

@@ -5,6 +5,7 @@
 // message between each pair of ranks. start() and finish() enclose the waiting, so that a task can do other work meanwhile.
 // The transpose adds what was deposited in halos to the cells that it belongs to.
 #include "core/comm/communicator.hpp"
+#include "core/comm/strided_copies.hpp"
 #include "core/field/field.hpp"
 #include "core/grid/mesh.hpp"
 
@@ -79,8 +80,12 @@ public:
     }
 
 private:
-    /// Origins of the arrays: [block][array], pointers to cell (0, 0, 0).
-    using Arrays = std::vector<std::vector<double*>>;
+    /// Pointers to cell (0, 0, 0) of the arrays, those of a block one after the other.
+    struct Arrays {
+        std::vector<double*> origins;
+        std::size_t count = 0; ///< of a block
+        [[nodiscard]] double* const* of(LocalBlock b) const { return origins.data() + std::size_t(b) * count; }
+    };
     /// One source of one halo cell; `slot` counts in the message of `rank`, or `place` on this rank (rank < 0).
     struct Source {
         int rank;
@@ -92,16 +97,10 @@ private:
         CellPlace target;
         int first, last; ///< in sources_
     };
-    /// Halo cells of one block that are copies of cells of another block of this rank, as rows at equal steps.
+    /// Halo cells of one block that are copies of cells of another block of this rank.
     struct Copies {
         LocalBlock target, source;
-        struct Run {
-            std::ptrdiff_t to, from;
-            int to_step, from_step, count;
-        };
-        std::vector<Run> runs;
-
-        void add(std::ptrdiff_t to, std::ptrdiff_t from);
+        StridedCopies values;
     };
 
     template <std::size_t N>
@@ -116,8 +115,9 @@ private:
 
     Communicator communicator_;
     std::vector<Row> rows_;
-    std::vector<Row> mixed_rows_;   ///< those of rows_ with a source on another rank or several sources
-    std::vector<Copies> copies_;    ///< the others, by target and source
+    std::vector<Copies> copies_;    ///< rows_ with one source, on this rank, by target and source
+    std::vector<Row> blends_;       ///< rows_ with several sources, all on this rank
+    std::vector<Row> arrivals_;     ///< rows_ with a source on another rank
     std::vector<Source> sources_;
     std::vector<std::vector<CellPlace>> wanted_from_here_; ///< [rank]: cells whose values that rank asks for
     std::vector<std::ptrdiff_t> wanted_there_;             ///< [rank]: number of values this rank asks for
@@ -139,9 +139,9 @@ private:
 template <std::size_t N>
 HaloExchange::Arrays HaloExchange::arrays_of(FieldStorage<N>& field)
 {
-    Arrays arrays(field.blocks());
+    Arrays arrays{{}, N};
     for (std::size_t b = 0; b < field.blocks(); ++b)
-        for (std::size_t a = 0; a < N; ++a) arrays[b].push_back(field.origin(LocalBlock(b), a));
+        for (std::size_t a = 0; a < N; ++a) arrays.origins.push_back(field.origin(LocalBlock(b), a));
     return arrays;
 }
 

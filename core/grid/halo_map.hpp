@@ -3,6 +3,7 @@
 #pragma once
 // Where the halo cells of a block really lie: found by walking through its sides, also round edges and corners.
 #include "core/grid/topology.hpp"
+#include <algorithm>
 
 namespace core {
 
@@ -27,6 +28,20 @@ enum class HaloShape {
     faces, ///< only cells straight beyond a side
     full   ///< edges and corners too
 };
+
+/// What a stencil reads around a block.
+struct HaloReach {
+    int width = 0; ///< layers
+    HaloShape shape = HaloShape::full;
+    bool operator==(const HaloReach&) const = default;
+    auto operator<=>(const HaloReach&) const = default;
+};
+
+/// The cells straight beyond the sides.
+inline constexpr HaloReach beside{1, HaloShape::faces};
+
+/// What covers both.
+[[nodiscard]] constexpr HaloReach joined(HaloReach a, HaloReach b) { return {std::max(a.width, b.width), std::max(a.shape, b.shape)}; }
 
 /// Rows of all halo cells of a block up to `width` layers that have a source, in index order.
 [[nodiscard]] std::vector<HaloRow> halo_rows(const Topology& topology, BlockId block, int width, HaloShape shape);

@@ -77,7 +77,9 @@ void Filter::take(const core::Team& team, int fields, const FieldsOut& densities
 
 void Filter::run(const core::Team& team, int fields)
 {
-    for (int number = 1; number <= degree(); ++number) pass(team, number, fields);
+    for_groups(groups_, fields, [&](FilterGroup& group, int, int) { // one after the other: the fields of one stay in the cache
+        for (int number = 1; number <= degree(); ++number) group.pass(team, number);
+    });
 }
 
 void Filter::pass(const core::Team& team, int number, int fields)

@@ -23,7 +23,7 @@ public:
     Filter(const Filter&) = delete;
     Filter& operator=(const Filter&) = delete;
 
-    /// @param transmissibility  Area over distance of faces and links [m]; without shift.
+    /// @param transmissibility  Of faces and links, as spreading() in mesh_links.hpp [m]; without shift.
     /// @param volume            Of the cells [m3].
     void load(const core::Team& team, const Coefficients& transmissibility, const core::ScalarField& volume);
     /// Bound of the eigenvalues of the Laplacian on this rank [1/m2].
@@ -40,7 +40,7 @@ public:
     void put(const core::Team& team, int fields, const FieldsIn& densities);
     void take(const core::Team& team, int fields, const FieldsOut& densities) const;
 
-    /// Filters the batch on one rank.
+    /// Filters the batch where no ghosts are.
     void run(const core::Team& team, int fields);
     /// One of degree() passes, 1, 2, ...; between passes the ghosts of the batch are exchanged.
     void pass(const core::Team& team, int number, int fields);

@@ -46,13 +46,15 @@ void FilterGroup::take(const core::Team& team, int first, int count, const Field
     const auto& result = polynomial.steps.empty() && polynomial.degree() > 0 ? sum_ : before(polynomial.degree() + 1);
     layout.for_pieces(team, [&](int n) {
         const Piece& p = layout.pieces()[std::size_t(n)];
-        for (int f = 0; f < count; ++f) {
-            const core::View<double> to = fields(p.block, first + f);
-            for_rows(layout, p, [&](int j, int k, std::ptrdiff_t at, int cells) {
-                double* row = to.row(j, k);
-                for (int i = 0; i < cells; ++i) row[i] = result[std::size_t(at + i)].field[f];
-            });
-        }
+        std::array<core::View<double>, width> to;
+        for (int f = 0; f < count; ++f) to[std::size_t(f)] = fields(p.block, first + f);
+        for_rows(layout, p, [&](int j, int k, std::ptrdiff_t at, int cells) {
+            const Lanes* from = result.data() + at;
+            std::array<double*, width> row{};
+            for (int f = 0; f < count; ++f) row[std::size_t(f)] = to[std::size_t(f)].row(j, k);
+            for (int i = 0; i < cells; ++i)
+                for (int f = 0; f < count; ++f) row[std::size_t(f)][i] = from[i].field[f];
+        });
     });
 }
 

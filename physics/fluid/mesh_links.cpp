@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "physics/fluid/mesh_links.hpp"
 #include "core/grid/hexahedron.hpp"
+#include "physics/fluid/cell_loops.hpp"
 #include "physics/fluid/face_flux.hpp"
 
 namespace physics {
@@ -24,7 +25,9 @@ void add_interface(const core::Mesh& mesh, const core::Interface& f, MeshLinks& 
         const core::Vec3 from = core::cell_shape(mesh.vertices(f.a), a).centroid;
         const core::Vec3 d = core::cell_shape(mesh.vertices(f.b), b).centroid - f.shift - from;
         links.topology.links.push_back({{f.a, cell_index(na, a.i, a.j, a.k), f.side_a}, {f.b, cell_index(nb, b.i, b.j, b.k), f.side_b}});
-        links.transmissibility.push_back(shape.area.squaredNorm() / std::abs(shape.area.dot(d)));
+        const double along = std::abs(shape.area.dot(d));
+        links.transmissibility.push_back(shape.area.squaredNorm() / along);
+        links.spreading.push_back(along / d.squaredNorm());
     });
 }
 
@@ -49,6 +52,7 @@ void add_wall(const core::Mesh& mesh, const core::Boundary& boundary, MeshLinks&
         const core::Index3 c = cell_at_face({i, j, k}, boundary.side);
         links.topology.links.push_back({{boundary.block, cell_index(n, c.i, c.j, c.k), boundary.side}, {wall_block, 0, boundary.side}});
         links.transmissibility.push_back(transmissibility(i, j, k));
+        links.spreading.push_back(transmissibility(i, j, k));
     });
 }
 
@@ -67,6 +71,16 @@ MeshLinks make_mesh_links(const core::Mesh& mesh, int rank, const std::function<
     for (const core::Boundary& boundary : mesh.topology().boundaries)
         if (mesh.owner(boundary.block) == rank && gives_value(boundary)) add_wall(mesh, boundary, links);
     return links;
+}
+
+void spreading(const core::BlockGeometry& geometry, core::FaceView<double> out)
+{
+    for (int axis = 0; axis < 3; ++axis) {
+        const core::FaceMetrics& f = geometry.face[std::size_t(axis)];
+        map_cells(out.along(axis),
+                  [](double x, double y, double z, double t, double inverse_square) { return (x * x + y * y + z * z) / t * inverse_square; },
+                  f.area_x.view(), f.area_y.view(), f.area_z.view(), f.transmissibility.view(), f.inverse_square.view());
+    }
 }
 
 } // namespace physics

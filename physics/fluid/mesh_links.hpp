@@ -10,7 +10,8 @@ namespace physics {
 
 struct MeshLinks {
     BlockTopology topology;
-    std::vector<double> transmissibility; ///< of each link [m]
+    std::vector<double> transmissibility; ///< of each link, |S|^2 / (S . d): goes with cross terms [m]
+    std::vector<double> spreading;        ///< of each link, (S . d) / |d|^2: see spreading() [m]
 };
 
 /// Links of all sides that touch a block of this rank. Each transmissibility comes from the vertices of the same block on
@@ -18,5 +19,10 @@ struct MeshLinks {
 /// @param gives_value  Is the unknown given on this boundary? Asked for those of this rank; elsewhere nothing flows.
 [[nodiscard]] MeshLinks make_mesh_links(
     const core::Mesh& mesh, int rank, const std::function<bool(const core::Boundary&)>& gives_value = [](const core::Boundary&) { return false; });
+
+/// Two-point transmissibilities (S . d) / |d|^2 of the faces, for diffusion without cross terms: on skewed cells, too, it
+/// spreads a quantity over the right mean square distance, that is with the right trace of its second moment.
+/// @param[out] out  [m]
+void spreading(const core::BlockGeometry& geometry, core::FaceView<double> out);
 
 } // namespace physics

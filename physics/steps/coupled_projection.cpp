@@ -11,7 +11,7 @@
 namespace physics {
 
 using core::FaceView, core::LocalBlock, core::VectorView, core::View;
-using tasks::halo, tasks::reads, tasks::updates, tasks::writes;
+using tasks::beside, tasks::reads, tasks::updates, tasks::writes;
 using Vectors = VectorView<const double>;
 
 FluidOwn CoupledStep::own(CellVectors velocity, CellVectors advected, CellVectors pressure_gradient, const FluidClock& clock) const
@@ -119,7 +119,7 @@ void CoupledStep::declare_predictor(tasks::StageGraph& graph, core::FieldBatch<g
         reads(taken, clock_), writes(f.response, f.mobility));
     graph.each_block(
         "mobility on faces", [](LocalBlock, View<const double> mobility, FaceView<double> faces) { face_mobility(mobility, faces); },
-        reads(halo(f.mobility, 1)), writes(face_mobility_));
+        reads(beside(f.mobility)), writes(face_mobility_));
 }
 
 void CoupledStep::declare_volume_flux(tasks::StageGraph& graph, core::FieldBatch<grain_sums>& taken)
@@ -146,7 +146,7 @@ void CoupledStep::declare_volume_flux(tasks::StageGraph& graph, core::FieldBatch
             map_faces(flux, [](double q, double m, double s) { return q - m * s; }, flux, known_faces, scratch);
             add_remembered(clock.memory(), remembered, flux);
         },
-        reads(halo(state.pressure, 1), halo(fluid.pressure_gradient, 1), halo(f.known_mobility, 1), fluid.remembered_flux, clock_),
+        reads(beside(state.pressure), beside(fluid.pressure_gradient), beside(f.known_mobility), fluid.remembered_flux, clock_),
         writes(known_face_mobility_, fluid.face_scratch), updates(fluid.predicted_flux));
     fluid_.declare_net_outflow(graph);
 }
@@ -170,7 +170,7 @@ void CoupledStep::declare_projection(tasks::StageGraph& graph)
             close_walls(fluid_.walls()[std::size_t(b)], scratch);
             map_faces(flux, [](double q, double m, double s) { return q - m * s; }, predicted, mobility, scratch);
         },
-        reads(halo(fluid.psi, 1), halo(fluid.psi_gradient, 1), face_mobility_, fluid.predicted_flux),
+        reads(beside(fluid.psi), beside(fluid.psi_gradient), face_mobility_, fluid.predicted_flux),
         writes(fluid.face_scratch, fluid_.state().flux));
 }
 

@@ -24,11 +24,11 @@ core::ScalarField volumes(const core::Mesh& mesh)
     return volume;
 }
 
-core::FaceField transmissibilities(const core::Mesh& mesh)
+core::FaceField spreadings(const core::Mesh& mesh)
 {
-    core::FaceField faces({"transmissibility", "m", 0, false}, mesh.own_cells());
+    core::FaceField faces({"spreading", "m", 0, false}, mesh.own_cells());
     faces.allocate();
-    for (LocalBlock b = 0; b < mesh.own_count(); ++b) transmissibility(mesh.geometry(b), faces.on(b));
+    for (LocalBlock b = 0; b < mesh.own_count(); ++b) spreading(mesh.geometry(b), faces.on(b));
     return faces;
 }
 
@@ -37,10 +37,10 @@ core::FaceField transmissibilities(const core::Mesh& mesh)
 tasks::Job CoupledStep::find_fraction(tasks::Lane& lane)
 {
     const core::ScalarField volume = volumes(mesh_);
-    const core::FaceField faces = transmissibilities(mesh_);
+    const core::FaceField faces = spreadings(mesh_);
     const MeshLinks links = make_mesh_links(mesh_, ranks_.rank());
     for (LaneFilter* filter : {&filter_, fluid_filter_.get()})
-        if (filter) co_await set_up(lane, filter->own, {&faces, links.transmissibility, nullptr}, volume);
+        if (filter) co_await set_up(lane, filter->own, {&faces, links.spreading, nullptr}, volume);
     co_await sum_over_grains(lane, {dynamics_.particles, fields_.told, 0.0}, places_.get(), filter_.own, fields_.sums);
     for (LocalBlock b = 0; b < mesh_.own_count(); ++b)
         map_cells(fields_.fraction.on(b), [](double c) { return 1.0 - c; }, fields_.sums.on(b)[sum_solid]);

@@ -28,9 +28,9 @@ CoupledStep::CoupledStep(const core::Locator& locator, const core::Communicator&
     fields_.ledger.allocate();
     fields_.sums.allocate();
     fields_.told.allocate();
-    halos_.prepare(&fluid_.state().pressure, 1);
-    halos_.prepare(&fluid_.state().velocity, 1);
-    halos_.prepare(&fluid_.fields().gradient_x, 1);
+    halos_.prepare(&fluid_.state().pressure, core::beside);
+    halos_.prepare(&fluid_.state().velocity, core::beside);
+    halos_.prepare(&fluid_.fields().gradient_x, core::beside);
 }
 
 core::Vec3 CoupledStep::drive_of(const FluidClock& clock) const
@@ -155,7 +155,12 @@ tasks::Job CoupledStep::sum_over_grains(tasks::Lane& lane, MovedGrains moved, Gr
     GrainTable deposits;
     lane.attempt([&] {
         places.locate(mesh_, locator_, dynamics_.domain(), moved.grains);
-        const GrainTable told = sample(lane.team(), places, std::size_t(moved.grains.owned), moved.told);
+        GrainTable told(3, std::vector<double>(std::size_t(moved.grains.owned)));
+        static_assert(view_velocity == 0); // no other view is needed here
+        lane.team().run(mesh_.own_count(), [&](int b) {
+            const auto views = moved.told.on(b);
+            places.sample(b, std::span(views).first(told.size()), told);
+        });
         exchange_.answer(moved.grains, told, moved.dt, deposits);
     });
     co_await lane.agree();

@@ -18,7 +18,7 @@ core::VectorView<double> vector_of(std::span<const core::View<double>> views, st
 } // namespace
 
 using core::LocalBlock, core::VectorView, core::View;
-using tasks::halo, tasks::reads, tasks::updates, tasks::writes;
+using tasks::beside, tasks::reads, tasks::updates, tasks::writes;
 using Vectors = VectorView<const double>;
 
 void CoupledStep::view_state(LocalBlock b, Vectors u, View<const double> p, Vectors acceleration, std::span<const View<double>> out) const
@@ -38,7 +38,7 @@ void CoupledStep::view_stress_in(std::span<const View<double>> out, Vectors visc
 tasks::Job CoupledStep::tell_state(tasks::Lane& lane)
 {
     FluidState& state = fluid_.state();
-    co_await halos_.fill(lane, &state.pressure, 1);
+    co_await halos_.fill(lane, &state.pressure, core::beside);
     if (viscous() || spins()) co_await fluid_.find_velocity_gradients(lane);
     if (viscous()) co_await fluid_.find_viscous_acceleration(lane, fields_.viscous);
     for (LocalBlock b = 0; b < mesh_.own_count(); ++b) {
@@ -91,7 +91,7 @@ void CoupledStep::declare_answer(tasks::StageGraph& graph, Mode mode, Pass pass)
             for (int c = 0; c < 3; ++c)
                 map_cells(news[news_projection + std::size_t(c)], [](double r, double g) { return -r * g; }, response, psi_gradient.component(c));
         },
-        reads(state.velocity, halo(state.pressure, 1), f.acceleration, f.response, fluid.psi_gradient), writes(f.news));
+        reads(state.velocity, beside(state.pressure), f.acceleration, f.response, fluid.psi_gradient), writes(f.news));
     if (tells_stress(pass) || spins()) fluid_.declare_velocity_gradients(graph);
     if (tells_stress(pass)) {
         fluid_.declare_viscous_acceleration(graph, f.viscous);

@@ -17,15 +17,17 @@ tasks::Job set_up(tasks::Lane& lane, Filter& filter, Coefficients transmissibili
 
 tasks::Job run(tasks::Lane& lane, Filter& filter, int fields)
 {
+    if (!filter.has_ghosts()) {
+        lane.attempt([&] { filter.run(lane.team(), fields); });
+        co_return;
+    }
     for (int number = 1; number <= filter.degree(); ++number) {
-        if (filter.has_ghosts()) {
-            core::Pending pending;
-            {
-                const auto mpi = lane.messages();
-                filter.start_ghosts(number, fields, lane.communicator(), pending);
-            }
-            co_await lane.arrive(pending);
+        core::Pending pending;
+        {
+            const auto mpi = lane.messages();
+            filter.start_ghosts(number, fields, lane.communicator(), pending);
         }
+        co_await lane.arrive(pending);
         lane.attempt([&] { filter.pass(lane.team(), number, fields); });
     }
 }

@@ -10,7 +10,7 @@
 namespace physics {
 
 using core::FaceView, core::LocalBlock, core::VectorView, core::View;
-using tasks::halo, tasks::reads, tasks::updates, tasks::writes;
+using tasks::beside, tasks::reads, tasks::updates, tasks::writes;
 
 void FluidStep::declare_projection(tasks::StageGraph& graph)
 {
@@ -35,7 +35,7 @@ void FluidStep::declare_flux_memory(tasks::StageGraph& graph, core::VectorField&
                View<double> outflow) {
             if (clock.memory() > 0) split_flux(geometry(b), walls_of(b), flux, u, remembered, outflow);
         },
-        reads(state_.flux, halo(carried, 1), clock_), writes(f.remembered_flux, f.remembered_outflow));
+        reads(state_.flux, beside(carried), clock_), writes(f.remembered_flux, f.remembered_outflow));
 }
 
 void FluidStep::declare_interpolated_flux(tasks::StageGraph& graph, core::VectorField& carried)
@@ -43,7 +43,7 @@ void FluidStep::declare_interpolated_flux(tasks::StageGraph& graph, core::Vector
     graph.each_block(
         "face flux",
         [this](LocalBlock b, Vectors u, FaceView<double> flux) { interpolated_flux(geometry(b), walls_of(b), u, flux); },
-        reads(halo(carried, 1)), writes(fields_.predicted_flux));
+        reads(beside(carried)), writes(fields_.predicted_flux));
 }
 
 void FluidStep::declare_known_pressure(tasks::StageGraph& graph)
@@ -58,7 +58,7 @@ void FluidStep::declare_known_pressure(tasks::StageGraph& graph)
             wall_flux(geometry(b), walls_of(b), flux);
             add_remembered(clock.memory(), remembered, flux);
         },
-        reads(halo(state_.pressure, 1), halo(f.pressure_gradient, 1), f.remembered_flux, clock_), writes(f.face_scratch),
+        reads(beside(state_.pressure), beside(f.pressure_gradient), f.remembered_flux, clock_), writes(f.face_scratch),
         updates(f.predicted_flux));
 }
 
@@ -81,7 +81,7 @@ void FluidStep::declare_impulse_gradient(tasks::StageGraph& graph)
     graph.each_block(
         "gradient of pressure impulse",
         [this](LocalBlock b, View<const double> psi, VectorView<double> out) { gradient(geometry(b), pressure_matrices(geometry(b), walls_of(b)), psi, out); },
-        reads(halo(fields_.psi, 1)), writes(fields_.psi_gradient));
+        reads(beside(fields_.psi)), writes(fields_.psi_gradient));
 }
 
 void FluidStep::declare_old_velocity(tasks::StageGraph& graph)
@@ -104,7 +104,7 @@ void FluidStep::declare_correction(tasks::StageGraph& graph)
             correct_flux(geometry(b), walls_of(b), psi, g, scratch, flux);
             net_outflow(scratch, removed);
         },
-        reads(halo(f.psi, 1), halo(f.psi_gradient, 1), f.predicted_flux), writes(f.face_scratch, state_.flux, f.removed_outflow));
+        reads(beside(f.psi), beside(f.psi_gradient), f.predicted_flux), writes(f.face_scratch, state_.flux, f.removed_outflow));
     declare_old_velocity(graph);
     graph.each_block(
         "correct velocity",

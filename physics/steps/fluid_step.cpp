@@ -12,7 +12,7 @@
 namespace physics {
 
 using core::FaceView, core::LocalBlock, core::VectorView, core::View;
-using tasks::halo, tasks::reads, tasks::updates, tasks::writes;
+using tasks::beside, tasks::halo, tasks::reads, tasks::updates, tasks::writes;
 
 FluidStep::FluidStep(const core::Mesh& mesh, const core::Communicator& ranks, tasks::HaloFiller& halos, const FluidParameters& parameters)
     : mesh_(mesh), halos_(halos), parameters_(parameters), walls_(make_walls(mesh, parameters.boundaries)), state_(mesh), fields_(mesh),
@@ -67,7 +67,7 @@ void FluidStep::declare_pressure_gradient(tasks::StageGraph& graph)
     graph.each_block(
         "gradient of pressure",
         [this](LocalBlock b, View<const double> p, VectorView<double> gp) { gradient(geometry(b), pressure_matrices(geometry(b), walls_of(b)), p, gp); },
-        reads(halo(state_.pressure, 1)), writes(fields_.pressure_gradient));
+        reads(beside(state_.pressure)), writes(fields_.pressure_gradient));
 }
 
 void FluidStep::declare_transport(tasks::StageGraph& graph)

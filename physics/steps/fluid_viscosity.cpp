@@ -8,7 +8,7 @@
 namespace physics {
 
 using core::FaceView, core::LocalBlock, core::VectorView;
-using tasks::halo, tasks::reads, tasks::writes;
+using tasks::beside, tasks::reads, tasks::writes;
 
 void FluidStep::velocity_gradients(LocalBlock b, Vectors u, const std::array<VectorView<double>, 3>& out) const
 {
@@ -32,7 +32,7 @@ void FluidStep::declare_velocity_gradients(tasks::StageGraph& graph)
         [this](LocalBlock b, Vectors u, VectorView<double> x, VectorView<double> y, VectorView<double> z) {
             velocity_gradients(b, u, {x, y, z});
         },
-        reads(halo(state_.velocity, 1)), writes(f.gradient_x, f.gradient_y, f.gradient_z));
+        reads(beside(state_.velocity)), writes(f.gradient_x, f.gradient_y, f.gradient_z));
 }
 
 void FluidStep::declare_viscous_acceleration(tasks::StageGraph& graph, core::VectorField& acceleration)
@@ -43,14 +43,14 @@ void FluidStep::declare_viscous_acceleration(tasks::StageGraph& graph, core::Vec
         [this](LocalBlock b, Vectors u, Vectors gx, Vectors gy, Vectors gz, FaceView<double> scratch, VectorView<double> out) {
             viscous_acceleration(b, u, {gx, gy, gz}, scratch, out);
         },
-        reads(halo(state_.velocity, 1), halo(f.gradient_x, 1), halo(f.gradient_y, 1), halo(f.gradient_z, 1)),
+        reads(beside(state_.velocity), beside(f.gradient_x), beside(f.gradient_y), beside(f.gradient_z)),
         writes(f.face_scratch, acceleration));
 }
 
 tasks::Job FluidStep::find_velocity_gradients(tasks::Lane& lane)
 {
     auto& f = fields_;
-    co_await halos_.fill(lane, &state_.velocity, 1);
+    co_await halos_.fill(lane, &state_.velocity, core::beside);
     for (auto* g : {&f.gradient_x, &f.gradient_y, &f.gradient_z}) g->allocate();
     for (LocalBlock b = 0; b < mesh_.own_count(); ++b) {
         mirror_velocity(walls_of(b), 1, state_.velocity.on(b));
@@ -63,7 +63,7 @@ tasks::Job FluidStep::find_viscous_acceleration(tasks::Lane& lane, core::VectorF
     auto& f = fields_;
     f.face_scratch.allocate();
     acceleration.allocate();
-    for (auto* g : {&f.gradient_x, &f.gradient_y, &f.gradient_z}) co_await halos_.fill(lane, g, 1);
+    for (auto* g : {&f.gradient_x, &f.gradient_y, &f.gradient_z}) co_await halos_.fill(lane, g, core::beside);
     for (LocalBlock b = 0; b < mesh_.own_count(); ++b)
         viscous_acceleration(b, state_.velocity.on(b), {f.gradient_x.on(b), f.gradient_y.on(b), f.gradient_z.on(b)}, f.face_scratch.on(b),
                              acceleration.on(b));

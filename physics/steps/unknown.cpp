@@ -13,8 +13,8 @@ Unknown::Unknown(const SystemContext& context, const BlockLayout& layout, const 
     value.allocate();
     gradient.allocate();
     flux.allocate();
-    context_.halos.prepare(&value, 1);
-    context_.halos.prepare(&gradient, 1);
+    context_.halos.prepare(&value, core::beside);
+    context_.halos.prepare(&gradient, core::beside);
 }
 
 tasks::Job Unknown::form_fluxes(tasks::Lane& lane, std::optional<int> component, std::span<const double> in)
@@ -22,7 +22,7 @@ tasks::Job Unknown::form_fluxes(tasks::Lane& lane, std::optional<int> component,
     for_blocks(lane, [&](core::LocalBlock b) {
         map_cells(value.on(b), [](double x) { return x; }, core::View<const double>(in.data() + layout_.origin(b), layout_.cells(b), 0));
     });
-    co_await context_.halos.fill(lane, &value, 1);
+    co_await context_.halos.fill(lane, &value, core::beside);
     for_blocks(lane, [&](core::LocalBlock b) {
         const auto& geometry = context_.mesh.geometry(b);
         const auto& walls = context_.walls[std::size_t(b)];
@@ -30,7 +30,7 @@ tasks::Job Unknown::form_fluxes(tasks::Lane& lane, std::optional<int> component,
         else mirror_pressure_change(walls, 1, value.on(b));
         physics::gradient(geometry, component ? geometry.wall_gradient : pressure_matrices(geometry, walls), value.on(b), gradient.on(b));
     });
-    co_await context_.halos.fill(lane, &gradient, 1);
+    co_await context_.halos.fill(lane, &gradient, core::beside);
     for_blocks(lane, [&](core::LocalBlock b) {
         const auto& geometry = context_.mesh.geometry(b);
         const auto& walls = context_.walls[std::size_t(b)];

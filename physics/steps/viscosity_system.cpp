@@ -32,7 +32,7 @@ ViscositySystem::ViscositySystem(const SystemContext& context, const BlockLayout
     flux_.allocate();
     for (auto& g : gradient_) {
         g.allocate();
-        context_.halos.prepare(&g, 1);
+        context_.halos.prepare(&g, core::beside);
     }
     for (core::LocalBlock b = 0; b < context.mesh.own_count(); ++b)
         transmissibility_sum(context.mesh.geometry(b), transmissibility_sum_.on(b));
@@ -62,14 +62,14 @@ tasks::Job ViscositySystem::precondition(tasks::Lane& lane, std::span<const doub
 tasks::Job ViscositySystem::form_residual(tasks::Lane& lane, const core::VectorField& change, core::VectorField& velocity, Norms& norms)
 {
     ++iterations_;
-    co_await context_.halos.fill(lane, &velocity, 1);
+    co_await context_.halos.fill(lane, &velocity, core::beside);
     unknown_.for_blocks(lane, [&](core::LocalBlock b) {
         const auto& geometry = context_.mesh.geometry(b);
         const auto u = velocity.on(b);
         mirror_velocity(context_.walls[std::size_t(b)], 1, u);
         for (int c = 0; c < 3; ++c) gradient(geometry, geometry.wall_gradient, u.component(c), gradient_[std::size_t(c)].on(b));
     });
-    for (auto& g : gradient_) co_await context_.halos.fill(lane, &g, 1);
+    for (auto& g : gradient_) co_await context_.halos.fill(lane, &g, core::beside);
     std::fill(sums_.begin(), sums_.end(), 0.0);
     unknown_.for_blocks(lane, [&](core::LocalBlock b) {
         const auto& geometry = context_.mesh.geometry(b);

@@ -26,7 +26,7 @@ public:
     explicit FluidRun(core::MultiBlock grid, const physics::FluidParameters& parameters, const tasks::ExecutorOptions& executor = {.kind = "serial"},
                       const core::Communicator& ranks = core::Communicator::world())
         : ranks_(ranks), mesh_(std::move(grid), ranks_.rank(), ranks_.size()),
-          filler_(mesh_, ranks_, core::HaloShape::full), step_(mesh_, ranks_, filler_, parameters), graph_(layout(mesh_), ranks_)
+          filler_(mesh_, ranks_), step_(mesh_, ranks_, filler_, parameters), graph_(layout(mesh_), ranks_)
     {
         graph_.fill_halos_with(filler_);
         step_.declare(graph_);

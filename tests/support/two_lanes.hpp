@@ -40,7 +40,7 @@ inline tasks::Job tell_previous(tasks::Lane& lane, const Ring& ring, std::vector
 class RingFiller final : public tasks::HaloFiller {
 public:
     explicit RingFiller(const Ring& ring) : ring_(ring) {}
-    tasks::Job fill(tasks::Lane& lane, tasks::FieldRef field, int) override
+    tasks::Job fill(tasks::Lane& lane, tasks::FieldRef field, core::HaloReach) override
     {
         auto& u = *std::get<core::ScalarField*>(field);
         std::vector<double> first, from_next(std::size_t(ring_.local()));

@@ -17,7 +17,7 @@ core::ScalarField field(std::string name) { return {{std::move(name), "-", 1, fa
 void copy(LocalBlock, core::View<const double>, core::View<double>) {}
 
 struct NoHalo final : HaloFiller {
-    Job fill(Lane&, FieldRef, int) override { co_return; }
+    Job fill(Lane&, FieldRef, core::HaloReach) override { co_return; }
 };
 
 std::vector<std::string> kept(const Plan& plan)
@@ -96,7 +96,7 @@ TEST_CASE("a halo is filled once for all readers, as wide as the widest, and aga
     graph.sink(v);
     graph.sink(w);
     CHECK(kept(graph.compile()) == Names{"halo of u", "walls of u", "wide", "change", "halo of u", "walls of u", "again"});
-    CHECK(graph.stages()[0].halo_width == 2);
+    CHECK(graph.stages()[0].halo_reach.width == 2);
     CHECK_THROWS_AS(graph.each_block("too wide", copy, reads(halo(u, 3)), writes(v)), core::Error);
 }
 

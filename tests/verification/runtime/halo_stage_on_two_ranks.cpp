@@ -15,7 +15,7 @@ TEST_CASE("a halo stage brings the neighbours' values, also between ranks and fo
     const core::Mesh mesh(core::make_box(box), world.rank(), world.size());
     core::ScalarField p({"p", "-", 1, false}, mesh.own_cells()), shifted({"shifted", "-", 0, false}, mesh.own_cells());
     core::VectorField u({"u", "-", 1, false}, mesh.own_cells());
-    ExchangeFiller filler(mesh, world, core::HaloShape::faces);
+    ExchangeFiller filler(mesh, world);
     StageGraph graph(Layout{std::vector<std::ptrdiff_t>(std::size_t(mesh.own_count()), 32), 1}, world);
     graph.fill_halos_with(filler);
     graph.each_block(

@@ -39,6 +39,7 @@ void add_sub_faces(const core::Mesh& mesh, const core::SubFaceInterface& f, Mesh
         links.topology.links.push_back(
             {{c.a, cell_index(na, s.a.i, s.a.j, s.a.k), c.side_a}, {c.b, cell_index(nb, s.b.i, s.b.j, s.b.k), c.side_b}});
         links.transmissibility.push_back(s.transmissibility);
+        links.spreading.push_back(s.area.squaredNorm() * s.transmissibility / (s.area - s.cross).squaredNorm());
     }
 }
 

@@ -5,6 +5,7 @@
 #include "physics/fluid/mesh_links.hpp"
 #include "tests/support/relative.hpp"
 #include <doctest/doctest.h>
+#include <numbers>
 
 namespace {
 
@@ -30,7 +31,7 @@ TEST_CASE("on skewed cells, too, the filter spreads a filled cell over the mean 
     edges.col(1) = 1.2 * h * core::Vec3(std::cos(55 * degree), std::sin(55 * degree), 0);
     edges.col(2) = 0.9 * h * core::Vec3(std::cos(70 * degree), 0, std::sin(70 * degree));
     const core::Extents cells{40, 40, 40};
-    const core::Mesh mesh(sheared_blocks(cells, 21, edges), core::Communicator::self());
+    const core::Mesh mesh(sheared_blocks(cells, 21, edges), 0, 1);
     const physics::MeshLinks links = physics::make_mesh_links(mesh, 0);
     core::FaceField faces({"spreading", "m", 0, false}, mesh.own_cells());
     core::ScalarField volume({"volume", "m3", 0, false}, mesh.own_cells()), density({"density", "1/m3", 0, false}, mesh.own_cells());

@@ -4,6 +4,7 @@
 #include "core/base/error.hpp"
 #include "core/grid/annulus.hpp"
 #include "core/grid/bent_pipe.hpp"
+#include "core/grid/blocks_apart.hpp"
 #include "core/grid/elliptic_grid.hpp"
 #include "core/grid/pipe.hpp"
 #include "core/grid/stepped_channel.hpp"
@@ -141,6 +142,7 @@ core::MultiBlock make_blocks(const Grid& grid)
 {
     core::MultiBlock blocks = blocks_of_shape(grid);
     if (grid.elliptic) generate_inside(*grid.elliptic, blocks);
+    if (grid.blocks || grid.bent_pipe) core::require_apart(blocks);
     return blocks;
 }
 

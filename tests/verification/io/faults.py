@@ -175,6 +175,18 @@ def absurd_values(bench, folder):
         expect(not bench.folder.exists(), f"{setting} has made a run directory")
 
 
+def blocks_in_one_another(bench, folder):
+    """Two boxes of a grid file that share a fifth of their volume are named, with the cells."""
+    points = [(i, j, k) for k in range(6) for j in range(6) for i in range(6)]
+    numbers = [0.2 * p[axis] + (shift if axis == 0 else 0.0) for shift in (0.0, 0.8) for axis in range(3) for p in points]
+    (folder / "grid.xyz").write_text("2 6 6 6 6 6 6 " + " ".join(map(str, numbers)))
+    scene = folder / "scene.yaml"
+    scene.write_text("name: boxes in one another\ngrid: { blocks: { file: grid.xyz, other_sides: wall } }\n"
+                     "fluid: { water: { density: 1000 kg/m3, viscosity: 1e-6 m2/s } }\nrun: { until: 1 s }\n")
+    text = bench.run(scene=scene, code=WRONG_SCENE)
+    expect_words(text, "scene.yaml:2:", "blocks 0 and 1 overlap: cell (4, 0, 0) of block 0", "of block 1")
+
+
 def grains_break_out(bench, folder):
     """Springs that cannot hold the grains: the first that is lost is named, with and without water."""
     for scene in (PIPE, CONFIGS / "settling_bed"):
@@ -261,7 +273,7 @@ def numbers_blow_up(bench, folder):
     expect(bench.digest() == before, "the last good state was lost")
 
 
-TESTS = [scene_with_mistakes, absurd_values, more_ranks_than_blocks, second_run_in_the_same_place, place_that_cannot_be_written,
+TESTS = [scene_with_mistakes, absurd_values, blocks_in_one_another, more_ranks_than_blocks, second_run_in_the_same_place, place_that_cannot_be_written,
          damaged_checkpoint, all_checkpoints_damaged, signals, stopped_while_settling, killed, full_disk, no_room, numbers_blow_up, grains_break_out,
          step_too_long]
 

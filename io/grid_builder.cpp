@@ -93,6 +93,8 @@ core::MultiBlock blocks_of(const SteppedChannelGrid& channel, const Grid& grid)
     c.cells_along = {channel.cells_shallow, channel.cells_deep};
     c.cells_up = {channel.cells_step, channel.cells_height};
     c.cells_across = channel.cells_across;
+    c.deep_cells_up = channel.deep_cells_height;
+    c.deep_cells_across = channel.deep_cells_across;
     c.blocks_along = {channel.blocks_shallow, channel.blocks_deep};
     c.blocks_across = channel.blocks_across;
     c.periodic_along = grid.is_periodic(0);
@@ -141,6 +143,8 @@ void generate_inside(const EllipticKeys& keys, core::MultiBlock& blocks)
 core::MultiBlock make_blocks(const Grid& grid)
 {
     core::MultiBlock blocks = blocks_of_shape(grid);
+    core::require<core::ConfigError>(!grid.elliptic || blocks.contacts.empty(),
+                                     "insides of blocks whose points do not match where they touch cannot be generated yet: remove 'elliptic'");
     if (grid.elliptic) generate_inside(*grid.elliptic, blocks);
     if (grid.blocks || grid.bent_pipe) core::require_apart(blocks);
     return blocks;

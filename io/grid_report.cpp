@@ -15,10 +15,26 @@ namespace {
 
     constexpr int most_blocks_shown = 40;
 
+    /// The sides that lie on a side without matching points: "1.i_low and 2.i_low (sub-faces)".
+    [[nodiscard]] std::string joined(const core::Topology& topology, BlockId block, Side side)
+    {
+        std::string text;
+        for (const core::SubFaceInterface& joint : topology.joints.interfaces) {
+            const core::SideContact& c = joint.contact;
+            const auto add = [&](BlockId other, Side side_there) {
+                text += fmt::format("{}{}.{}", text.empty() ? "" : " and ", other, core::side_words[std::size_t(side_there)]);
+            };
+            if (c.a == block && c.side_a == side) add(c.b, c.side_b);
+            if (c.b == block && c.side_b == side) add(c.a, c.side_a);
+        }
+        return text + " (sub-faces)";
+    }
+
     [[nodiscard]] std::string beyond(const core::Topology& topology, BlockId block, Side side)
     {
         if (const auto& n = topology.neighbour(block, side))
             return fmt::format("{}.{}{}", n->block, core::side_words[std::size_t(n->side)], n->shift.isZero(0) ? "" : " (periodic)");
+        if (topology.joints.joins(block, side)) return joined(topology, block, side);
         const auto boundary = std::find_if(topology.boundaries.begin(), topology.boundaries.end(),
                                            [&](const core::Boundary& b) { return b.block == block && b.side == side; });
         return boundary->name;
@@ -66,6 +82,11 @@ std::string grid_report(const core::Mesh& mesh)
         count.faces += n.size() / n[core::axis_of(b.side)];
     }
     std::string text = fmt::format("grid of {} blocks, {} pairs of sides that meet", mesh.blocks(), topology.interfaces.size());
+    if (const auto& joints = topology.joints.interfaces; !joints.empty()) {
+        std::size_t faces = 0;
+        for (const core::SubFaceInterface& joint : joints) faces += joint.faces.size();
+        text += fmt::format("\n  {} pairs of sides meet without matching points, at {} sub-faces", joints.size(), faces);
+    }
     text += quality_text(mesh);
     for (const auto& [name, count] : boundaries) text += fmt::format("\n  boundary {}: {} sides, {} faces", name, count.sides, count.faces);
     for (BlockId b = 0; b < std::min(mesh.blocks(), most_blocks_shown); ++b) text += fmt::format("\n{}", line_of(topology, b));

@@ -91,6 +91,9 @@ void describe(Schema& s, SteppedChannelGrid& p)
     s.value("cells_height", p.cells_height, "", "Cells over the height of the shallow part", at_least(1));
     s.value("cells_step", p.cells_step, "", "Cells over the step", at_least(1));
     s.value("cells_across", p.cells_across, "", "Cells over the width", at_least(1));
+    s.value("deep_cells_height", p.deep_cells_height, "", "Cells of the deep part over the height of the shallow one, if not as many: points of the "
+            "two parts then need not match", at_least(1));
+    s.value("deep_cells_across", p.deep_cells_across, "", "Cells of the deep part over the width, if not as many", at_least(1));
     s.value("blocks_shallow", p.blocks_shallow, "", "Blocks along the shallow part", at_least(1));
     s.value("blocks_deep", p.blocks_deep, "", "Blocks along the deep part", at_least(1));
     s.value("blocks_across", p.blocks_across, "", "Blocks over the width", at_least(1));

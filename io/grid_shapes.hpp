@@ -54,6 +54,7 @@ struct BentPipeGrid {
 struct SteppedChannelGrid {
     double shallow_length = 0.0, deep_length = 0.0, height = 0.0, step = 0.0, width = 0.0; ///< [m]
     int cells_shallow = 16, cells_deep = 48, cells_height = 16, cells_step = 16, cells_across = 16;
+    std::optional<int> deep_cells_height, deep_cells_across; ///< of the deep part, where they are not those of the shallow one
     int blocks_shallow = 1, blocks_deep = 1, blocks_across = 1;
     bool operator==(const SteppedChannelGrid&) const = default;
 };

@@ -4,7 +4,7 @@
 #include "core/base/error.hpp"
 #include "core/grid/hexahedron.hpp"
 #include "core/grid/topology.hpp"
-#include "core/grid/touching_sides.hpp"
+#include "core/grid/touching_blocks.hpp"
 #include "io/plot3d.hpp"
 #include <algorithm>
 #include <charconv>
@@ -113,25 +113,26 @@ namespace {
         throw ConfigError(fmt::format("{}\n    {}", text, advice));
     }
 
-    /// Checks that exactly the sides that meet no other have names, and that none of them lies on another.
-    void check_sides(core::MultiBlock grid, const std::map<SideKey, std::string>& names, const std::vector<bool>& is_turned, bool all_named)
+    /// Checks that exactly the sides that meet no other have names, or do so in part.
+    /// @param covered  The sides that others touch without matching points.
+    void check_names(core::MultiBlock grid, const std::vector<core::CoveredSide>& covered, const std::map<SideKey, std::string>& names,
+                     const std::vector<bool>& is_turned, bool all_named)
     {
         grid.boundary_name = [](BlockId, Side) { return std::string(); };
         const core::Topology topology = core::match_sides(grid);
-        std::vector<std::string> touching, wrong;
-        for (const core::TouchingSides& t : core::touching_sides(grid, topology))
-            touching.push_back(fmt::format("sides {} and {} lie on each other over {:.3g} % of the smaller one, but their points do not match",
-                                           file_side(t.a, t.side_a, is_turned), file_side(t.b, t.side_b, is_turned), 100 * t.share));
-        complain(touching, "the flow through such sides is not computed: give both the same points, cut the larger where the smaller ends, or "
-                           "raise 'tolerance' if they were meant to match");
+        std::vector<std::string> wrong;
         for (BlockId b = 0; b < BlockId(grid.blocks.size()); ++b)
             for (const Side side : core::all_sides) {
                 const std::string word = file_side(b, side, is_turned);
                 const auto name = names.find({b, is_turned[std::size_t(b)] ? turned(side) : side});
                 const auto& beyond = topology.neighbour(b, side);
+                const auto touches = [&](const core::CoveredSide& c) { return c.block == b && c.side == side && c.wholly; };
+                const bool is_covered = std::any_of(covered.begin(), covered.end(), touches);
                 if (beyond && name != names.end())
                     wrong.push_back(fmt::format("side {} is in boundary '{}', but meets block {}", word, name->second, beyond->block));
-                if (!beyond && name == names.end() && !all_named)
+                else if (is_covered && name != names.end())
+                    wrong.push_back(fmt::format("side {} is in boundary '{}', but others lie on all of it", word, name->second));
+                else if (!beyond && !is_covered && name == names.end() && !all_named)
                     wrong.push_back(fmt::format("side {} meets no other and has no name: {}", word, place_of(grid, b, side)));
             }
         complain(wrong, "name sides in 'boundaries', or all that are left with 'other_sides'");
@@ -152,11 +153,13 @@ core::MultiBlock import_blocks(const ImportedGrid& grid, const std::array<bool, 
     }
     add_periods(result, grid.period, periodic);
     const auto names = names_of(grid, result.blocks.size());
-    check_sides(result, names, is_turned, grid.other_sides.has_value());
+    const core::MultiBlock as_read = result;
     result.boundary_name = [names, is_turned, other = grid.other_sides.value_or("")](BlockId block, Side side) {
         const auto found = names.find({block, is_turned[std::size_t(block)] ? turned(side) : side});
         return found == names.end() ? other : found->second;
     };
+    const auto covered = core::join_touching_blocks(result);
+    check_names(as_read, covered, names, is_turned, grid.other_sides.has_value());
     return result;
 }
 

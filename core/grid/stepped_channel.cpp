@@ -3,6 +3,7 @@
 #include "core/grid/stepped_channel.hpp"
 #include "core/base/error.hpp"
 #include "core/grid/box.hpp"
+#include "core/grid/touching_blocks.hpp"
 
 namespace core {
 namespace {
@@ -15,6 +16,8 @@ std::array<Box, 3> parts(const SteppedChannel& c)
         box.low = {along == 0 ? 0.0 : c.shallow_length, up == 0 ? 0.0 : c.step, 0};
         box.high = {along == 0 ? c.shallow_length : c.shallow_length + c.deep_length, up == 0 ? c.step : c.step + c.height, c.width};
         box.cells = {c.cells_along[std::size_t(along)], c.cells_up[std::size_t(up)], c.cells_across};
+        if (along == 1 && up == 1) box.cells.nj = c.deep_cells_up.value_or(box.cells.nj);
+        if (along == 1) box.cells.nk = c.deep_cells_across.value_or(box.cells.nk);
         box.blocks = {c.blocks_along[std::size_t(along)], 1, c.blocks_across};
         return box;
     };
@@ -42,6 +45,7 @@ MultiBlock make_stepped_channel(const SteppedChannel& c)
         if (below_step && s == Side::i_low) return std::string("step");
         return std::string(1, char('x' + axis_of(s))) + (is_high(s) ? "_high" : "_low");
     };
+    if (c.deep_cells_up || c.deep_cells_across) join_touching_blocks(grid);
     return grid;
 }
 

@@ -4,6 +4,7 @@
 #include "core/base/error.hpp"
 #include "core/comm/halo.hpp"
 #include "core/grid/sub_face_values.hpp"
+#include "core/grid/touching_blocks.hpp"
 #include "tests/support/joined_boxes.hpp"
 #include <doctest/doctest.h>
 
@@ -124,4 +125,33 @@ TEST_CASE("a side that others cover in part only is refused by name")
     const core::Box below{{0, 0, 0}, {2, 1, 1}, {8, 3, 4}, {1, 1, 1}, {}}, above{{0, 1, 0}, {1, 2, 1}, {5, 3, 3}, {1, 1, 1}, {}};
     CHECK_THROWS_WITH_AS(Mesh(test::joined({below, above}, {}, [](const Vec3& x) { return x; }), 0, 1),
                          "side j_high of block 0 lies on others over 0 % of its face (4, 0) only: let it end where they end", core::ConfigError);
+}
+
+TEST_CASE("blocks are cut where others end on their sides, and with them those that match them")
+{
+    // Beside a stack of two blocks stands one that is half as high again as the lower of them; its neighbour above matches it.
+    const core::Box lower{{0, 0, 0}, {1, 1, 1}, {3, 4, 2}, {1, 1, 1}, {}}, upper{{0, 1, 0}, {1, 2, 1}, {3, 5, 3}, {1, 1, 1}, {}},
+        beside{{1, 0, 0}, {2, 1.5, 1}, {4, 6, 5}, {1, 1, 1}, {}}, behind{{2, 0, 0}, {3, 1.5, 1}, {2, 6, 5}, {1, 1, 1}, {}};
+    core::MultiBlock grid;
+    for (const core::Box& box : {lower, upper, beside, behind}) grid.blocks.push_back(core::make_box(box).blocks.front());
+    grid.boundary_name = [](core::BlockId block, core::Side) { return "of block " + std::to_string(block); };
+    CHECK_THROWS_AS(core::join_touching_blocks(grid), core::ConfigError); // the upper block has no line at y = 1.5
+    core::Box even = upper;
+    even.cells.nj = 4;
+    grid.blocks[1] = core::make_box(even).blocks.front();
+    const auto covered = core::join_touching_blocks(grid);
+    const auto of = [&](core::BlockId block, core::Side side) {
+        return std::find_if(covered.begin(), covered.end(), [&](const core::CoveredSide& c) { return c.block == block && c.side == side; });
+    };
+    REQUIRE(of(1, core::Side::i_high) != covered.end());
+    CHECK(of(0, core::Side::i_high)->wholly);
+    CHECK_FALSE(of(1, core::Side::i_high)->wholly);
+    const Mesh mesh(std::move(grid), 0, 1);
+    CHECK(mesh.blocks() == 5); // the upper block in two
+    CHECK(mesh.total_volume() == doctest::Approx(5));
+    CHECK(open_part(mesh) < 1e-13);
+    const auto& boundaries = mesh.topology().boundaries;
+    CHECK(std::any_of(boundaries.begin(), boundaries.end(), [](const core::Boundary& b) {
+        return b.block == 2 && b.side == core::Side::i_high && b.name == "of block 1";
+    }));
 }

@@ -44,7 +44,7 @@ struct SideOverlap {
 struct OverlapTolerance {
     double gap = 0.15;   ///< largest distance of the surfaces, over the size of a face
     double snap = 1e-7;  ///< of a face: points this near to an edge of the master are put on it
-    double rim = 0.02;   ///< of a face: rims of the sides this near are one; the distance of the surfaces there is added
+    double rim = 0.1;     ///< of a face: rims of the sides this near are one; the distance of the surfaces there is added
     double sliver = 1e-8; ///< of the smaller face: smaller sub-faces are merged with a neighbour
 };
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // CoupledStep, the grains' side: loads, sub-steps, sums and what grains are owed.
 #include "physics/steps/coupled_step.hpp"
+#include "core/base/error.hpp"
 #include "physics/fluid/cell_loops.hpp"
 #include "physics/steps/batch_filter.hpp"
 #include "physics/steps/grain_job.hpp"
@@ -23,6 +24,8 @@ CoupledStep::CoupledStep(const core::Locator& locator, const core::Communicator&
       grains_("grains", grains), clock_("fluid clock", fluid.state().clock), places_("places of grains"), kept_("grains at the start"),
       assumed_("assumed grains")
 {
+    core::require<core::ConfigError>(mesh_.topology().joints.interfaces.empty(),
+                                     "grains in blocks whose points do not match where they touch are not computed yet");
     fields_.fraction.allocate();
     fields_.acceleration.allocate();
     fields_.ledger.allocate();

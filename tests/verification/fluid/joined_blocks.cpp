@@ -42,6 +42,7 @@ TEST_CASE("a uniform flow stays uniform on wavy, turned blocks whose points do n
     for (const double viscosity : {1e-3, 0.0}) {
         CHECK(change(test::wavy_halves({{6, 8, 6}, {6, 12, 9}}, 0.3, 37), viscosity) < 1e-12);
         CHECK(change(test::wavy_halves({{6, 5, 6}, {4, 10, 24}}, 0.3, 37), viscosity) < 1e-12);
+        CHECK(change(test::wavy_halves({{6, 5, 4}, {4, 40, 32}}, 0.2, 37), viscosity) < 1e-12);
     }
 }
 

@@ -5,6 +5,7 @@
 #include "io/scene_reader.hpp"
 
 #include <algorithm>
+#include <array>
 #include <fmt/format.h>
 
 namespace io {
@@ -24,10 +25,31 @@ void check_keys(const Boundary& boundary, const std::string& path, const Locatio
                      "remove it, or write kind: outflow or kind: pressure");
 }
 
+void check_scalars(const Scene& scene, const Locations& locations, Problems& problems)
+{
+    constexpr std::array<std::string_view, 7> taken{"velocity", "pressure", "velocity before", "volume flux", "fluid fraction", "k", "epsilon"};
+    const auto& all = scene.fluid->scalars;
+    if (!all.empty() && !scene.particles.empty())
+        problems.add(locations.at("fluid.scalars"), "scalars beside particles cannot be computed yet", "leave one of the two out");
+    for (std::size_t n = 0; n < all.size(); ++n) {
+        const std::string path = fmt::format("fluid.scalars.{}", n);
+        if (std::any_of(all.begin(), all.begin() + std::ptrdiff_t(n), [&](const Scalar& s) { return s.name == all[n].name; }) ||
+            std::find(taken.begin(), taken.end(), all[n].name) != taken.end())
+            problems.add(locations.at(path + ".name"), fmt::format("the name '{}' is taken", all[n].name), "give each scalar a name of its own");
+        if (!locations.good("grid") || !locations.good("grid.periodic") || all[n].entering.empty()) continue;
+        const std::vector<std::string> names = boundary_names(scene.grid);
+        for (std::size_t m = 0; m < all[n].entering.size(); ++m)
+            if (const auto& at = all[n].entering[m].at; std::find(names.begin(), names.end(), at) == names.end())
+                problems.add(locations.at(fmt::format("{}.entering.{}.at", path, m)), fmt::format("the grid has no boundary '{}'", at),
+                             names.empty() ? "it repeats along all its axes" : suggestion(at, names));
+    }
+}
+
 } // namespace
 
 void check_boundaries(const Scene& scene, const Locations& locations, Problems& problems)
 {
+    check_scalars(scene, locations, problems);
     const auto& all = scene.fluid->boundaries;
     if (all.empty() || !locations.good("grid") || !locations.good("grid.periodic")) return;
     const std::vector<std::string> names = boundary_names(scene.grid);

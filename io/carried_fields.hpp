@@ -17,6 +17,10 @@ void for_each_carried_field(World& world, Visit visit)
         visit(state.pressure);
         visit(state.flux);
     }
+    if (auto* scalars = world.scalars()) {
+        for (auto& field : scalars->fields().values) visit(field);
+        visit(scalars->fields().share);
+    }
     if (auto* coupling = world.coupling()) {
         visit(coupling->fields().fraction);
         visit(coupling->fields().acceleration);

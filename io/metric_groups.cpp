@@ -118,6 +118,33 @@ MetricGroup drive_metrics(World& world)
             }};
 }
 
+MetricGroup scalar_metrics(World& world)
+{
+    std::vector<std::string> names;
+    for (const auto& scalar : world.scalars()->parameters())
+        for (const char* what : {"amount_", "least_", "largest_"}) names.push_back(what + scalar.name);
+    return {names, [&world] {
+                const core::Mesh& mesh = world.mesh();
+                const physics::ScalarSet& fields = std::as_const(*world.scalars()).fields();
+                std::vector<double> values;
+                for (const core::ScalarField& field : fields.values) {
+                    values.push_back(core::sum_over_blocks(mesh, world.ranks(), [&](LocalBlock b) {
+                        return physics::sum_cells([](double v, double w, double q) { return v * w * q; }, mesh.geometry(b).volume.view(),
+                                                  fields.share.on(b), field.on(b));
+                    }));
+                    const auto most = [&](double sign) {
+                        return sign * core::max_over_blocks(mesh, world.ranks(), [&](LocalBlock b) {
+                                   double largest = -std::numeric_limits<double>::infinity();
+                                   core::for_each_cell(field.on(b).extents(), [&](int i, int j, int k) { largest = std::max(largest, sign * field.on(b)(i, j, k)); });
+                                   return largest;
+                               });
+                    };
+                    values.insert(values.end(), {most(-1), most(1)});
+                }
+                return values;
+            }};
+}
+
 MetricGroup particle_metrics(World& world)
 {
     return {{"particles", "particle_kinetic_energy"}, [&world] {

@@ -32,6 +32,16 @@ physics::FluidParameters fluid_parameters(const Scene& scene)
     return p;
 }
 
+std::vector<physics::ScalarParameters> scalar_parameters(const Scene& scene)
+{
+    std::vector<physics::ScalarParameters> scalars;
+    for (const Scalar& scalar : scene.fluid->scalars) {
+        scalars.push_back({scalar.name, scalar.diffusivity, scalar.initial, {}});
+        for (const ScalarEntry& entry : scalar.entering) scalars.back().entering[entry.at] = entry.value;
+    }
+    return scalars;
+}
+
 physics::ParticleParameters particle_parameters(const Scene& scene)
 {
     const Contact& contact = *scene.contact;

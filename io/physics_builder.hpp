@@ -4,12 +4,16 @@
 // From what a scene says about matter to the parameters of physics.
 #include "io/scene.hpp"
 #include "physics/fluid/parameters.hpp"
+#include "physics/fluid/scalars.hpp"
 #include "physics/particles/parameters.hpp"
 
 namespace io {
 
 /// @pre scene.fluid
 [[nodiscard]] physics::FluidParameters fluid_parameters(const Scene& scene);
+
+/// @pre scene.fluid
+[[nodiscard]] std::vector<physics::ScalarParameters> scalar_parameters(const Scene& scene);
 
 /// @pre scene.contact. Gravity is that of the scene, without buoyancy.
 [[nodiscard]] physics::ParticleParameters particle_parameters(const Scene& scene);

@@ -150,10 +150,27 @@ struct Boundary {
     bool operator==(const Boundary&) const = default;
 };
 
+/// What a scalar is in the fluid that enters through a boundary.
+struct ScalarEntry {
+    std::string at; ///< Name of the boundary.
+    double value = 0.0;
+    bool operator==(const ScalarEntry&) const = default;
+};
+
+/// Something that the fluid carries and that does not change it.
+struct Scalar {
+    std::string name;
+    double diffusivity = 0.0; ///< [m2/s]
+    double initial = 0.0;
+    std::vector<ScalarEntry> entering;
+    bool operator==(const Scalar&) const = default;
+};
+
 struct Fluid {
     Material material;
     std::vector<Boundary> boundaries; ///< Those that are not walls at rest.
     std::optional<Drive> drive;
+    std::vector<Scalar> scalars;
     bool operator==(const Fluid&) const = default;
 };
 

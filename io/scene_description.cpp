@@ -72,10 +72,25 @@ static void describe(Schema& s, Boundary& p)
     s.value("pressure", p.pressure, "Pa", "Where it is given, without the weight of the fluid; 0 without it");
 }
 
+static void describe(Schema& s, ScalarEntry& p)
+{
+    s.required("at", p.at, "", "Name of the boundary");
+    s.required("value", p.value, "1", "Value of what flows in there");
+}
+
+static void describe(Schema& s, Scalar& p)
+{
+    s.required("name", p.name, "", "Name in results and metrics");
+    s.value("diffusivity", p.diffusivity, "m2/s", "Diffusivity; 0 means that the flow alone carries it", not_negative);
+    s.value("initial", p.initial, "1", "Value everywhere at the start");
+    s.list("entering", p.entering, "Values of what flows in through boundaries; elsewhere it has the value of the cells inside");
+}
+
 static void describe(Schema& s, Fluid& p)
 {
     s.list("boundaries", p.boundaries, "Boundaries other than walls at rest");
     s.group("drive", p.drive, "What pushes the fluid along a periodic axis");
+    s.list("scalars", p.scalars, "What the fluid carries along, such as dye: it does not act back");
     s.named_group("<material>", p.material, "The fluid, under a name of your choice such as water");
 }
 

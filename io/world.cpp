@@ -45,6 +45,7 @@ World::World(const Scene& scene, core::MultiBlock blocks, const core::Communicat
         const core::Vec3 direction = physics::drive_direction(fluid_->parameters().drive);
         if (direction.norm() > 0) axis_ = axis_cell(locator_, scene_.grid, direction);
     }
+    if (fluid_ && !scene_.fluid->scalars.empty()) scalars_.emplace(mesh_, *fluid_, scalar_parameters(scene_));
     if (!scene_.particles.empty()) make_grains();
     if (fluid_ && grains_) make_coupling();
 }
@@ -107,7 +108,9 @@ void World::declare()
     if (coupling_) {
         coupling_->declare(graph_, planned_mode_);
     } else if (fluid_) {
+        if (scalars_) scalars_->declare_before(graph_);
         fluid_->declare(graph_);
+        if (scalars_) scalars_->declare(graph_);
     } else if (grains_) {
         dry_grains_.emplace("grains", *grains_);
         graph_.whole(

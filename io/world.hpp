@@ -7,6 +7,7 @@
 #include "io/state_copy.hpp"
 #include "physics/fluid/time_step.hpp"
 #include "physics/steps/coupled_step.hpp"
+#include "physics/steps/scalar_step.hpp"
 #include "tasks/exchange_filler.hpp"
 #include "tasks/executor.hpp"
 #include <map>
@@ -28,6 +29,8 @@ public:
     [[nodiscard]] const core::Communicator& ranks() const { return ranks_; }
     [[nodiscard]] physics::FluidStep* fluid() { return fluid_ ? &*fluid_ : nullptr; }
     [[nodiscard]] const physics::FluidStep* fluid() const { return fluid_ ? &*fluid_ : nullptr; }
+    [[nodiscard]] physics::ScalarStep* scalars() { return scalars_ ? &*scalars_ : nullptr; }
+    [[nodiscard]] const physics::ScalarStep* scalars() const { return scalars_ ? &*scalars_ : nullptr; }
     [[nodiscard]] physics::ParticleDynamics* grains() { return grains_ ? &*grains_ : nullptr; }
     [[nodiscard]] const physics::ParticleDynamics* grains() const { return grains_ ? &*grains_ : nullptr; }
     [[nodiscard]] physics::CoupledStep* coupling() { return coupling_ ? &*coupling_ : nullptr; }
@@ -105,6 +108,7 @@ private:
     tasks::ExchangeFiller halos_;
     tasks::StageGraph graph_;
     std::optional<physics::FluidStep> fluid_;
+    std::optional<physics::ScalarStep> scalars_;
     std::optional<physics::ParticleDynamics> grains_;
     std::optional<physics::ParticleStepper> stepper_;
     std::optional<physics::CoupledStep> coupling_;

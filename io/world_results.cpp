@@ -39,6 +39,8 @@ void WorldResults::write(World& world, std::int64_t number)
     if (fluid_) {
         const physics::FluidState& state = world.fluid()->state();
         std::vector<FieldViews<const double>> fields{views(state.velocity), views(state.pressure)};
+        if (world.scalars())
+            for (const core::ScalarField& scalar : std::as_const(*world.scalars()).fields().values) fields.push_back(views(scalar));
         if (world.coupling()) fields.push_back(views(std::as_const(world.coupling()->fields().fraction)));
         (void)fluid_->write(when, fields);
     }

@@ -69,12 +69,13 @@ public:
     [[nodiscard]] const PressureSystem& pressure_system() const { return pressure_system_; }
     [[nodiscard]] const ViscositySystem* viscosity_system() const { return viscosity_system_.get(); }
     [[nodiscard]] const tasks::PerBlock<MomentumBudget>& budget() const { return budget_; }
+    /// What other systems of equations on the same mesh refer to.
+    [[nodiscard]] SystemContext system_context() const;
 
 private:
     using Vectors = core::VectorView<const double>;
     /// @throws ConfigError if more flows in than out, or the other way.
     void require_balance(const core::Communicator& ranks) const;
-    [[nodiscard]] SystemContext system_context() const;
     void velocity_gradients(core::LocalBlock b, Vectors u, const std::array<core::VectorView<double>, 3>& out) const;
     void viscous_acceleration(core::LocalBlock b, Vectors u, const std::array<Vectors, 3>& gradients, core::FaceView<double> scratch,
                               core::VectorView<double> out) const;

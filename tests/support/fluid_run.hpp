@@ -9,6 +9,7 @@
 #include "physics/fluid/face_flux.hpp"
 #include "physics/fluid/time_step.hpp"
 #include "physics/steps/fluid_step.hpp"
+#include "physics/steps/scalar_step.hpp"
 #include "tasks/exchange_filler.hpp"
 #include "tasks/executor.hpp"
 #include <cmath>
@@ -24,12 +25,15 @@ using ScalarFunction = std::function<double(const Vec3&)>;
 class FluidRun {
 public:
     explicit FluidRun(core::MultiBlock grid, const physics::FluidParameters& parameters, const tasks::ExecutorOptions& executor = {.kind = "serial"},
-                      const core::Communicator& ranks = core::Communicator::world())
+                      const core::Communicator& ranks = core::Communicator::world(), const std::vector<physics::ScalarParameters>& scalars = {})
         : ranks_(ranks), mesh_(std::move(grid), ranks_.rank(), ranks_.size()),
           filler_(mesh_, ranks_), step_(mesh_, ranks_, filler_, parameters), graph_(layout(mesh_), ranks_)
     {
         graph_.fill_halos_with(filler_);
+        if (!scalars.empty()) scalars_.emplace(mesh_, step_, scalars);
+        if (scalars_) scalars_->declare_before(graph_);
         step_.declare(graph_);
+        if (scalars_) scalars_->declare(graph_);
         graph_.sink(step_.state().flux);
         plan_ = std::make_unique<tasks::Plan>(graph_.compile({"budget"}));
         executor_ = tasks::make_executor(executor, *plan_);
@@ -124,6 +128,8 @@ public:
 
     [[nodiscard]] const core::Mesh& mesh() const { return mesh_; }
     [[nodiscard]] physics::FluidStep& fluid() { return step_; }
+    /// @pre There are scalars.
+    [[nodiscard]] physics::ScalarStep& scalars() { return *scalars_; }
     [[nodiscard]] const physics::FluidStep& fluid() const { return step_; }
     [[nodiscard]] double time() const { return step_.state().clock.time; }
 
@@ -139,6 +145,7 @@ private:
     core::Mesh mesh_;
     tasks::ExchangeFiller filler_;
     physics::FluidStep step_;
+    std::optional<physics::ScalarStep> scalars_;
     tasks::StageGraph graph_;
     std::unique_ptr<tasks::Plan> plan_;
     std::unique_ptr<tasks::Executor> executor_;

@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#include "physics/fluid/bounded_transport.hpp"
+#include "core/grid/hexahedron.hpp"
+#include "physics/fluid/cell_loops.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace physics {
+namespace {
+
+void transport_fluxes_along(const core::BlockGeometry& geometry, const FaceCentres& centres, int axis, core::View<const double> flux,
+                            const CarriedValue& q, core::View<double> upwind, core::View<double> added)
+{
+    constexpr double second_difference = 1.0 / 6;
+    const core::Extents n = flux.extents();
+    const auto cx = geometry.centre_x.view(), cy = geometry.centre_y.view(), cz = geometry.centre_z.view();
+    const std::ptrdiff_t c = cx.stride(axis), s = q.value.stride(axis), g = q.gradient.x.stride(axis);
+    const auto& place = centres[std::size_t(axis)];
+    for (int k = 0; k < n.nk; ++k)
+        for (int j = 0; j < n.nj; ++j) {
+            const double *f = flux.row(j, k), *x = cx.row(j, k), *y = cy.row(j, k), *z = cz.row(j, k);
+            const double *fx = place[0].view().row(j, k), *fy = place[1].view().row(j, k), *fz = place[2].view().row(j, k);
+            const double *v = q.value.row(j, k), *h = q.half.row(j, k);
+            const double *gx = q.gradient.x.row(j, k), *gy = q.gradient.y.row(j, k), *gz = q.gradient.z.row(j, k);
+            double *up = upwind.row(j, k), *more = added.row(j, k);
+#pragma omp simd
+            for (int i = 0; i < n.ni; ++i) {
+                const bool along = f[i] > 0;
+                const double value = along ? v[i - s] : v[i], beyond = along ? v[i] : v[i - s], half = along ? h[i - s] : h[i];
+                const double slope_x = along ? gx[i - g] : gx[i], slope_y = along ? gy[i - g] : gy[i], slope_z = along ? gz[i - g] : gz[i];
+                const double to_face = slope_x * (fx[i] - (along ? x[i - c] : x[i])) + slope_y * (fy[i] - (along ? y[i - c] : y[i])) +
+                                       slope_z * (fz[i] - (along ? z[i - c] : z[i]));
+                const double along_line = slope_x * (x[i] - x[i - c]) + slope_y * (y[i] - y[i - c]) + slope_z * (z[i] - z[i - c]);
+                const double bend = (beyond - value) - (along ? along_line : -along_line);
+                up[i] = f[i] * value;
+                more[i] = f[i] * ((half - value) + to_face + second_difference * bend);
+            }
+        }
+}
+
+void reduce_along(int axis, core::View<const double> gain, core::View<const double> loss, core::View<double> added)
+{
+    const core::Extents n = added.extents();
+    const std::ptrdiff_t s = gain.stride(axis);
+    for (int k = 0; k < n.nk; ++k)
+        for (int j = 0; j < n.nj; ++j) {
+            const double *take = gain.row(j, k), *give = loss.row(j, k);
+            double* a = added.row(j, k);
+#pragma omp simd
+            for (int i = 0; i < n.ni; ++i)
+                a[i] *= a[i] > 0 ? std::min(take[i], give[i - s]) : std::min(take[i - s], give[i]);
+        }
+}
+
+} // namespace
+
+FaceCentres face_centres(const core::Vertices& vertices)
+{
+    FaceCentres centres;
+    const core::Extents cells = core::cells_of(vertices);
+    for (int axis = 0; axis < 3; ++axis) {
+        core::Extents faces = cells;
+        (axis == 0 ? faces.ni : axis == 1 ? faces.nj : faces.nk) += 1;
+        auto& of_axis = centres[std::size_t(axis)];
+        for (auto& component : of_axis) component = core::Array3<double>(faces);
+        core::for_each_cell(faces, [&](int i, int j, int k) {
+            const core::Vec3 centre = core::face_shape(core::face_corners(vertices, axis, {i, j, k})).centre;
+            for (int m = 0; m < 3; ++m) of_axis[std::size_t(m)](i, j, k) = centre[m];
+        });
+    }
+    return centres;
+}
+
+void middle_of_step(double dt, core::View<const double> share, core::VectorView<const double> carrier, core::View<const double> value,
+                    core::VectorView<const double> gradient, core::View<double> half)
+{
+    map_cells(
+        half,
+        [h = 0.5 * dt](double w, double q, double u, double v, double t, double x, double y, double z) {
+            return q - h * (u * x + v * y + t * z) / w;
+        },
+        share, value, carrier.x, carrier.y, carrier.z, gradient.x, gradient.y, gradient.z);
+}
+
+void transport_fluxes(const core::BlockGeometry& geometry, const FaceCentres& centres, core::FaceView<const double> flux,
+                      const CarriedValue& q, core::FaceView<double> upwind, core::FaceView<double> added)
+{
+    for (int axis = 0; axis < 3; ++axis)
+        transport_fluxes_along(geometry, centres, axis, flux.along(axis), q, upwind.along(axis), added.along(axis));
+}
+
+void outflow_of_cells(core::FaceView<const double> flux, core::View<double> outflow)
+{
+    const core::Extents n = outflow.extents();
+    for (int k = 0; k < n.nk; ++k)
+        for (int j = 0; j < n.nj; ++j) {
+            const double *fi = flux.i.row(j, k), *low_j = flux.j.row(j, k), *high_j = flux.j.row(j + 1, k),
+                         *low_k = flux.k.row(j, k), *high_k = flux.k.row(j, k + 1);
+            double* out = outflow.row(j, k);
+#pragma omp simd
+            for (int i = 0; i < n.ni; ++i)
+                out[i] = (std::max(fi[i + 1], 0.0) - std::min(fi[i], 0.0)) + (std::max(high_j[i], 0.0) - std::min(low_j[i], 0.0)) +
+                         (std::max(high_k[i], 0.0) - std::min(low_k[i], 0.0));
+        }
+}
+
+void flux_shares(core::View<const double> value, core::View<const double> low, core::View<const double> capacity,
+                 core::FaceView<const double> added, core::View<double> gain, core::View<double> loss)
+{
+    constexpr double nothing = std::numeric_limits<double>::min(); // so that 0 / 0 does not arise
+    const core::Extents n = low.extents();
+    const std::ptrdiff_t sj = value.stride(1), sk = value.stride(2);
+    for (int k = 0; k < n.nk; ++k)
+        for (int j = 0; j < n.nj; ++j) {
+            const double *v = value.row(j, k), *q = low.row(j, k), *room = capacity.row(j, k), *fi = added.i.row(j, k);
+            const double *low_j = added.j.row(j, k), *high_j = added.j.row(j + 1, k), *low_k = added.k.row(j, k), *high_k = added.k.row(j, k + 1);
+            double *take = gain.row(j, k), *give = loss.row(j, k);
+#pragma omp simd
+            for (int i = 0; i < n.ni; ++i) {
+                const double most = std::max({std::max({v[i], v[i - 1], v[i + 1]}), std::max(v[i - sj], v[i + sj]), std::max(v[i - sk], v[i + sk])});
+                const double least = std::min({std::min({v[i], v[i - 1], v[i + 1]}), std::min(v[i - sj], v[i + sj]), std::min(v[i - sk], v[i + sk])});
+                const double in = (std::max(fi[i], 0.0) - std::min(fi[i + 1], 0.0)) + (std::max(low_j[i], 0.0) - std::min(high_j[i], 0.0)) +
+                                  (std::max(low_k[i], 0.0) - std::min(high_k[i], 0.0));
+                const double out = (std::max(fi[i + 1], 0.0) - std::min(fi[i], 0.0)) + (std::max(high_j[i], 0.0) - std::min(low_j[i], 0.0)) +
+                                   (std::max(high_k[i], 0.0) - std::min(low_k[i], 0.0));
+                take[i] = std::min(1.0, std::max(most - q[i], 0.0) * room[i] / (in + nothing));
+                give[i] = std::min(1.0, std::max(q[i] - least, 0.0) * room[i] / (out + nothing));
+            }
+        }
+}
+
+void reduce_fluxes(core::View<const double> gain, core::View<const double> loss, core::FaceView<double> added)
+{
+    for (int axis = 0; axis < 3; ++axis) reduce_along(axis, gain, loss, added.along(axis));
+}
+
+} // namespace physics

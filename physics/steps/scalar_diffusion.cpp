@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#include "physics/steps/scalar_diffusion.hpp"
+#include "physics/fluid/cell_loops.hpp"
+#include "physics/fluid/face_flux.hpp"
+#include "physics/fluid/gradient.hpp"
+#include "physics/steps/krylov_job.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace physics {
+namespace {
+
+core::FieldInfo scratch(const char* name, int halo) { return {name, "", halo, false}; }
+
+/// Sum of T D over the faces of each cell: the diagonal of the two-point part.
+void diagonal_of(const core::BlockGeometry& geometry, core::FaceView<const double> diffusivity, core::View<double> sum)
+{
+    const auto along = [&](int axis, core::Index3 face) {
+        return geometry.face[std::size_t(axis)].transmissibility.view()[face] * diffusivity.along(axis)[face];
+    };
+    core::for_each_cell(sum.extents(), [&](int i, int j, int k) {
+        sum(i, j, k) = along(0, {i, j, k}) + along(0, {i + 1, j, k}) + along(1, {i, j, k}) + along(1, {i, j + 1, k}) + along(2, {i, j, k}) +
+                       along(2, {i, j, k + 1});
+    });
+}
+
+void close_boundaries(const BlockWalls& walls, core::Extents cells, core::FaceView<double> flux)
+{
+    for (const core::Side side : core::all_sides)
+        if (walls.at(side).kind)
+            for_each_side_face(cells, side, [&](int i, int j, int k) { flux.along(core::axis_of(side))(i, j, k) = 0; });
+}
+
+} // namespace
+
+ScalarDiffusion::ScalarDiffusion(const SystemContext& context, const BlockLayout& layout)
+    : context_(context), layout_(layout), workspace_(layout, context.mesh.blocks(), std::ptrdiff_t(context.mesh.total_cells())),
+      change_(scratch("change of a scalar", 1), context.mesh.own_cells()), inflow_(scratch("diffusive inflow of a scalar", 0), context.mesh.own_cells()),
+      diagonal_(scratch("diagonal of diffusion", 0), context.mesh.own_cells()), right_(scratch("right-hand side of a scalar", 0), context.mesh.own_cells()),
+      gradient_(scratch("gradient of a diffusing scalar", 1), context.mesh.own_cells()),
+      flux_(scratch("diffusive flux of a scalar", 0), context.mesh.own_cells()), residual_(layout.size(), 0.0), solution_(layout.size(), 0.0)
+{
+    for (core::ScalarField* field : {&change_, &inflow_, &diagonal_, &right_}) field->allocate();
+    gradient_.allocate();
+    flux_.allocate();
+    context_.halos.prepare(&change_, 1);
+    context_.halos.prepare(&gradient_, 1);
+}
+
+tasks::Job ScalarDiffusion::form_inflow(tasks::Lane& lane, core::ScalarField& q)
+{
+    ++products_;
+    co_await context_.halos.fill(lane, &q, 1);
+    for_blocks(lane, [&](core::LocalBlock b) {
+        mirror_even(context_.walls[std::size_t(b)], 1, q.on(b));
+        gradient(geometry(b), geometry(b).gradient, q.on(b), gradient_.on(b));
+    });
+    co_await context_.halos.fill(lane, &gradient_, 1);
+    for_blocks(lane, [&](core::LocalBlock b) {
+        const auto flux = flux_.on(b);
+        gradient_flux(geometry(b), q.on(b), gradient_.on(b), flux);
+        close_boundaries(context_.walls[std::size_t(b)], geometry(b).cells, flux);
+        map_faces(flux, [](double f, double d) { return f * d; }, flux, equation_->diffusivity.on(b));
+        net_outflow(flux, inflow_.on(b));
+    });
+}
+
+tasks::Job ScalarDiffusion::choose_share(tasks::Lane& lane)
+{
+    std::vector<double> largest(std::size_t(context_.mesh.own_count()), 0.0);
+    for_blocks(lane, [&](core::LocalBlock b) {
+        diagonal_of(geometry(b), equation_->diffusivity.on(b), diagonal_.on(b));
+        const core::View<const double> sum = diagonal_.on(b), w = equation_->capacity.on(b), volume = geometry(b).volume.view();
+        double& most = largest[std::size_t(b)];
+        core::for_each_cell(sum.extents(), [&](int i, int j, int k) { most = std::max(most, sum(i, j, k) / (w(i, j, k) * volume(i, j, k))); });
+    });
+    double rate = 0;
+    for (const double r : largest) rate = std::max(rate, r);
+    co_await lane.max(std::span(&rate, 1));
+    const double number = equation_->dt * rate;
+    implicit_ = number > 2 ? 1 - 1 / number : 0.5; // old values then keep a weight that is not negative
+}
+
+tasks::Job ScalarDiffusion::apply(tasks::Lane& lane, std::span<const double> in, std::span<double> out)
+{
+    for_blocks(lane, [&](core::LocalBlock b) { map_cells(change_.on(b), [](double x) { return x; }, part(b, in)); });
+    co_await form_inflow(lane, change_);
+    for_blocks(lane, [&](core::LocalBlock b) {
+        map_cells(layout_.view(b, out), [d = implicit_ * equation_->dt](double w, double v, double x, double inflow) { return w * v * x - d * inflow; },
+                  equation_->capacity.on(b), geometry(b).volume.view(), part(b, in), inflow_.on(b));
+    });
+}
+
+tasks::Job ScalarDiffusion::precondition(tasks::Lane& lane, std::span<const double> in, std::span<double> out)
+{
+    for_blocks(lane, [&](core::LocalBlock b) {
+        map_cells(layout_.view(b, out), [d = implicit_ * equation_->dt](double w, double v, double r, double sum) { return r / (w * v + d * sum); },
+                  equation_->capacity.on(b), geometry(b).volume.view(), part(b, in), diagonal_.on(b));
+    });
+    co_return;
+}
+
+/// The right-hand side, and the residual of the old values.
+tasks::Job ScalarDiffusion::form_right(tasks::Lane& lane, core::ScalarField& q)
+{
+    co_await form_inflow(lane, q);
+    const double old = (1 - implicit_) * equation_->dt, now = implicit_ * equation_->dt;
+    for_blocks(lane, [&](core::LocalBlock b) {
+        const auto volume = geometry(b).volume.view();
+        map_cells(right_.on(b), [old](double v, double s, double inflow) { return v * s + old * inflow; }, volume, equation_->source.on(b), inflow_.on(b));
+        map_cells(layout_.view(b, residual_), [now](double right, double w, double v, double x, double inflow) { return right - w * v * x + now * inflow; },
+                  right_.on(b), equation_->capacity.on(b), volume, q.on(b), inflow_.on(b));
+    });
+}
+
+tasks::Job ScalarDiffusion::solve(tasks::Lane& lane, DiffusionEquation equation, core::ScalarField& q)
+{
+    constexpr double tolerance = 1e-12; // of the amounts in the cells, in the root mean square
+    equation_ = &equation;
+    products_ = 0;
+    co_await choose_share(lane);
+    co_await form_right(lane, q);
+    std::vector<double> sums(std::size_t(context_.mesh.blocks()), 0.0);
+    for_blocks(lane, [&](core::LocalBlock b) {
+        sums[std::size_t(context_.mesh.global(b))] = sum_cells([](double w, double v, double x) { return w * v * x * w * v * x; }, equation.capacity.on(b),
+                                                               geometry(b).volume.view(), q.on(b));
+    });
+    co_await lane.sum(sums);
+    KrylovOptions options;
+    options.relative = 1e-14; // where there is nothing yet
+    for (const double s : sums) options.absolute += s;
+    options.absolute = tolerance * std::sqrt(options.absolute);
+    options.from_zero = true;
+    options.unknown = "scalar";
+    std::fill(solution_.begin(), solution_.end(), 0.0);
+    KrylovReport report;
+    co_await drive(lane, bicgstab(lane.team(), workspace_, options, residual_, solution_, report), *this);
+    for_blocks(lane, [&](core::LocalBlock b) {
+        map_cells(q.on(b), [](double x, double d) { return x + d; }, q.on(b), part(b, solution_));
+    });
+    co_await form_inflow(lane, q); // fluxes of the solution: what goes from cell to cell is neither made nor lost
+    for_blocks(lane, [&](core::LocalBlock b) {
+        map_cells(q.on(b), [now = implicit_ * equation.dt](double right, double inflow, double w, double v) { return (right + now * inflow) / (w * v); },
+                  right_.on(b), inflow_.on(b), equation.capacity.on(b), geometry(b).volume.view());
+    });
+}
+
+} // namespace physics

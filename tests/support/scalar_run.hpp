@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// Scalars in a flow that is given by its vector potential, so that its fluxes are free of divergence to round-off on any grid.
+#include "core/grid/hexahedron.hpp"
+#include "physics/steps/scalar_carrier.hpp"
+#include "physics/steps/scalar_diffusion.hpp"
+#include "tests/support/fluid_run.hpp"
+
+namespace test {
+
+/// Flux of curl A through every face, by Stokes: midpoint rule along its edges.
+inline void set_flux(const core::Mesh& mesh, const VectorFunction& potential, core::FaceField& flux)
+{
+    for (core::LocalBlock b = 0; b < mesh.own_count(); ++b)
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto f = flux.on(b).along(axis);
+            core::for_each_cell(f.extents(), [&](int i, int j, int k) {
+                const auto corners = core::face_corners(mesh.vertices(mesh.global(b)), axis, {i, j, k});
+                double sum = 0;
+                for (std::size_t n = 0; n < 4; ++n) {
+                    const Vec3 &from = corners[n], &to = corners[(n + 1) % 4];
+                    sum += potential(0.5 * (from + to)).dot(to - from);
+                }
+                const Vec3 area = core::face_shape(corners).area, along = mesh.geometry(b).area(axis, i, j, k);
+                f(i, j, k) = area.dot(along) > 0 ? sum : -sum;
+            });
+        }
+}
+
+class ScalarRun {
+public:
+    ScalarRun(core::MultiBlock grid, const physics::BoundaryConditions& boundaries = {},
+              const core::Communicator& ranks = core::Communicator::world())
+        : ranks_(ranks), mesh_(std::move(grid), ranks_.rank(), ranks_.size()), filler_(mesh_, ranks_, core::HaloShape::full),
+          walls_(physics::make_walls(mesh_, boundaries)), set_(mesh_, {{.name = "dye"}}),
+          layout_(mesh_.own(), mesh_.own_cells(), 0), carrier_({mesh_, walls_, filler_}), diffusion_({mesh_, walls_, filler_}, layout_),
+          flux_({"flux", "m3/s", 0, false}, mesh_.own_cells()), diffusivity_({"diffusivity", "m2/s", 0, false}, mesh_.own_cells()),
+          source_({"source", "", 0, false}, mesh_.own_cells())
+    {
+        flux_.allocate();
+        diffusivity_.allocate();
+        source_.allocate();
+        filler_.prepare(&value(), 1);
+    }
+
+    void start(const ScalarFunction& dye, const VectorFunction& potential)
+    {
+        for_each_cell([&](core::LocalBlock b, int i, int j, int k) { value().on(b)(i, j, k) = dye(centre(b, i, j, k)); });
+        set_flux(mesh_, potential, flux_);
+    }
+    void carry(double dt)
+    {
+        const std::vector<physics::EntryValues> none(std::size_t(mesh_.own_count()));
+        const physics::CarriedScalar scalar{&value(), none};
+        tasks::run(ranks_, core::SerialTeam(), [&](tasks::Lane& lane) { return carrier_.carry(lane, {flux_, set_.share, dt}, std::span(&scalar, 1)); });
+    }
+    void diffuse(double dt, double diffusivity)
+    {
+        for (core::LocalBlock b = 0; b < mesh_.own_count(); ++b)
+            for (std::size_t a = 0; a < 3; ++a) std::fill(diffusivity_.data(b, a).begin(), diffusivity_.data(b, a).end(), diffusivity);
+        for_each_cell([&](core::LocalBlock b, int i, int j, int k) { source_.on(b)(i, j, k) = value().on(b)(i, j, k); });
+        tasks::run(ranks_, core::SerialTeam(), [&](tasks::Lane& lane) { return diffusion_.solve(lane, {diffusivity_, set_.share, source_, dt}, value()); });
+    }
+
+    /// Volume mean of |dye - expected|^power, its root.
+    [[nodiscard]] double error(const ScalarFunction& expected, double power = 2)
+    {
+        return std::pow(mean([&](core::LocalBlock b, int i, int j, int k) {
+                            return std::pow(std::abs(value().on(b)(i, j, k) - expected(centre(b, i, j, k))), power);
+                        }), 1 / power);
+    }
+    /// Amount of dye over the volume.
+    [[nodiscard]] double amount()
+    {
+        return mean([&](core::LocalBlock b, int i, int j, int k) { return set_.share.on(b)(i, j, k) * value().on(b)(i, j, k); });
+    }
+    [[nodiscard]] std::array<double, 2> range()
+    {
+        std::array<double, 2> ends{1e300, -1e300};
+        for_each_cell([&](core::LocalBlock b, int i, int j, int k) {
+            const double q = value().on(b)(i, j, k);
+            ends = {std::min(ends[0], q), std::max(ends[1], q)};
+        });
+        return ends;
+    }
+    [[nodiscard]] core::ScalarField& value() { return set_.values.front(); }
+    [[nodiscard]] const core::Mesh& mesh() const { return mesh_; }
+    [[nodiscard]] int parts() const { return carrier_.parts(); }
+    [[nodiscard]] int products() const { return diffusion_.products(); }
+
+private:
+    using OfCell = std::function<double(core::LocalBlock, int, int, int)>;
+    template <class Body>
+    void for_each_cell(Body body) const
+    {
+        for (core::LocalBlock b = 0; b < mesh_.own_count(); ++b)
+            core::for_each_cell(mesh_.geometry(b).cells, [&](int i, int j, int k) { body(b, i, j, k); });
+    }
+    [[nodiscard]] Vec3 centre(core::LocalBlock b, int i, int j, int k) const { return mesh_.geometry(b).centre(i, j, k); }
+    [[nodiscard]] double mean(const OfCell& term) const
+    {
+        return core::sum_over_blocks(mesh_, ranks_, [&](core::LocalBlock b) {
+                   double sum = 0;
+                   core::for_each_cell(mesh_.geometry(b).cells, [&](int i, int j, int k) { sum += mesh_.geometry(b).volume(i, j, k) * term(b, i, j, k); });
+                   return sum;
+               }) / mesh_.total_volume();
+    }
+
+    core::Communicator ranks_;
+    core::Mesh mesh_;
+    tasks::ExchangeFiller filler_;
+    std::vector<physics::BlockWalls> walls_;
+    physics::ScalarSet set_;
+    physics::BlockLayout layout_;
+    physics::ScalarCarrier carrier_;
+    physics::ScalarDiffusion diffusion_;
+    core::FaceField flux_, diffusivity_;
+    core::ScalarField source_;
+};
+
+} // namespace test

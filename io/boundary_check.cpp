@@ -45,11 +45,25 @@ void check_scalars(const Scene& scene, const Locations& locations, Problems& pro
     }
 }
 
+void check_turbulence(const Scene& scene, const Locations& locations, Problems& problems)
+{
+    const TurbulenceKeys& keys = *scene.fluid->turbulence;
+    const auto& all = scene.fluid->boundaries;
+    const bool inflow = std::any_of(all.begin(), all.end(), [](const Boundary& b) { return b.kind == BoundaryKind::inflow; });
+    if (!keys.speed && !inflow)
+        problems.add(locations.at("fluid.turbulence"), "turbulence needs 'speed' where nothing flows in", "add the speed of the flow, such as speed: 1 m/s");
+    if (scene.fluid->material.viscosity == 0)
+        problems.add(locations.at("fluid.turbulence"), "turbulence needs a fluid with viscosity", "give the viscosity, or remove it");
+    if (!scene.particles.empty())
+        problems.add(locations.at("fluid.turbulence"), "turbulence beside particles cannot be computed yet", "leave one of the two out");
+}
+
 } // namespace
 
 void check_boundaries(const Scene& scene, const Locations& locations, Problems& problems)
 {
     check_scalars(scene, locations, problems);
+    if (scene.fluid->is_turbulent()) check_turbulence(scene, locations, problems);
     const auto& all = scene.fluid->boundaries;
     if (all.empty() || !locations.good("grid") || !locations.good("grid.periodic")) return;
     const std::vector<std::string> names = boundary_names(scene.grid);

@@ -17,6 +17,10 @@ void for_each_carried_field(World& world, Visit visit)
         visit(state.pressure);
         visit(state.flux);
     }
+    if (auto* turbulence = world.turbulence()) {
+        visit(turbulence->k());
+        visit(turbulence->epsilon());
+    }
     if (auto* scalars = world.scalars()) {
         for (auto& field : scalars->fields().values) visit(field);
         visit(scalars->fields().share);

@@ -11,6 +11,8 @@ namespace io {
 /// Kinetic energy [J], largest speed [m/s], divergence (net over through flux of the cells, root mean squares), iterations of
 /// the pressure in the last step.
 [[nodiscard]] MetricGroup fluid_metrics(World& world);
+/// Energy of the turbulence [J], largest eddy viscosity over that of the fluid.
+[[nodiscard]] MetricGroup turbulence_metrics(World& world);
 /// Amount of each scalar in the fluid: its integral over the volume of the fluid [m3]; its least and largest value.
 [[nodiscard]] MetricGroup scalar_metrics(World& world);
 /// Speed on the axis [m/s]; flow rate of fluid along the drive: mean of phi u over the domain times its section [m3/s].

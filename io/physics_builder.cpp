@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #include "io/physics_builder.hpp"
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace io {
@@ -40,6 +42,26 @@ std::vector<physics::ScalarParameters> scalar_parameters(const Scene& scene)
         for (const ScalarEntry& entry : scalar.entering) scalars.back().entering[entry.at] = entry.value;
     }
     return scalars;
+}
+
+physics::TurbulenceParameters turbulence_parameters(const Scene& scene)
+{
+    const TurbulenceKeys& keys = *scene.fluid->turbulence;
+    const core::Vec3 size = scene.grid.high() - scene.grid.low();
+    double width = std::numeric_limits<double>::infinity(), fastest = 0;
+    for (int axis = 0; axis < 3; ++axis)
+        if (!scene.grid.is_periodic(axis)) width = std::min(width, size[axis]);
+    const double length = keys.length.value_or(0.07 * std::min(width, size.maxCoeff()));
+    physics::TurbulenceParameters p;
+    p.roughness = keys.roughness;
+    for (const Boundary& boundary : scene.fluid->boundaries)
+        if (boundary.kind == BoundaryKind::inflow) {
+            const double speed = boundary.velocity.value_or(core::Vec3::Zero()).norm();
+            p.entering[boundary.at] = physics::turbulence_of(speed, keys.intensity, length);
+            fastest = std::max(fastest, speed);
+        }
+    p.initial = physics::turbulence_of(keys.speed.value_or(fastest), keys.intensity, length);
+    return p;
 }
 
 physics::ParticleParameters particle_parameters(const Scene& scene)

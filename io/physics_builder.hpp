@@ -4,6 +4,7 @@
 // From what a scene says about matter to the parameters of physics.
 #include "io/scene.hpp"
 #include "physics/fluid/parameters.hpp"
+#include "physics/fluid/k_epsilon.hpp"
 #include "physics/fluid/scalars.hpp"
 #include "physics/particles/parameters.hpp"
 
@@ -14,6 +15,9 @@ namespace io {
 
 /// @pre scene.fluid
 [[nodiscard]] std::vector<physics::ScalarParameters> scalar_parameters(const Scene& scene);
+
+/// @pre scene.fluid->is_turbulent()
+[[nodiscard]] physics::TurbulenceParameters turbulence_parameters(const Scene& scene);
 
 /// @pre scene.contact. Gravity is that of the scene, without buoyancy.
 [[nodiscard]] physics::ParticleParameters particle_parameters(const Scene& scene);

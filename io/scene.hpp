@@ -166,12 +166,28 @@ struct Scalar {
     bool operator==(const Scalar&) const = default;
 };
 
+enum class TurbulenceModel { none, k_epsilon };
+inline constexpr std::array<std::string_view, 2> turbulence_model_words{"none", "k-epsilon"};
+
+/// Turbulence that is not resolved.
+struct TurbulenceKeys {
+    TurbulenceModel model = TurbulenceModel::none;
+    double intensity = 0.05; ///< Root mean square of the fluctuations over the speed, at the start and where fluid flows in.
+    std::optional<double> speed;  ///< Of the flow at the start [m/s]; without it, that of what flows in.
+    std::optional<double> length; ///< Mixing length there [m]; without it, 7 % of the width between boundaries.
+    double roughness = 0.0;       ///< of walls, as height of sand grains [m]
+    bool operator==(const TurbulenceKeys&) const = default;
+};
+
 struct Fluid {
     Material material;
     std::vector<Boundary> boundaries; ///< Those that are not walls at rest.
     std::optional<Drive> drive;
     std::vector<Scalar> scalars;
+    std::optional<TurbulenceKeys> turbulence;
     bool operator==(const Fluid&) const = default;
+
+    [[nodiscard]] bool is_turbulent() const { return turbulence && turbulence->model != TurbulenceModel::none; }
 };
 
 struct Gravity {

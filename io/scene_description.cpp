@@ -86,11 +86,22 @@ static void describe(Schema& s, Scalar& p)
     s.list("entering", p.entering, "Values of what flows in through boundaries; elsewhere it has the value of the cells inside");
 }
 
+static void describe(Schema& s, TurbulenceKeys& p)
+{
+    s.required("model", "none: the grid resolves all of the flow; k-epsilon: the standard model, with wall functions",
+               choice_of(p.model, turbulence_model_words));
+    s.value("intensity", p.intensity, "1", "Fluctuations over the speed, at the start and where fluid flows in", positive);
+    s.value("speed", p.speed, "m/s", "Speed that the intensity at the start refers to; without it, that of what flows in", positive);
+    s.value("length", p.length, "m", "Mixing length at the start and where fluid flows in; without it, 7 % of the narrowest width", positive);
+    s.value("roughness", p.roughness, "m", "Roughness of walls, as the height of sand grains", not_negative);
+}
+
 static void describe(Schema& s, Fluid& p)
 {
     s.list("boundaries", p.boundaries, "Boundaries other than walls at rest");
     s.group("drive", p.drive, "What pushes the fluid along a periodic axis");
     s.list("scalars", p.scalars, "What the fluid carries along, such as dye: it does not act back");
+    s.group("turbulence", p.turbulence, "Turbulence that the grid does not resolve");
     s.named_group("<material>", p.material, "The fluid, under a name of your choice such as water");
 }
 

@@ -45,6 +45,7 @@ World::World(const Scene& scene, core::MultiBlock blocks, const core::Communicat
         const core::Vec3 direction = physics::drive_direction(fluid_->parameters().drive);
         if (direction.norm() > 0) axis_ = axis_cell(locator_, scene_.grid, direction);
     }
+    if (fluid_ && scene_.fluid->is_turbulent()) turbulence_.emplace(mesh_, *fluid_, turbulence_parameters(scene_));
     if (fluid_ && !scene_.fluid->scalars.empty()) scalars_.emplace(mesh_, *fluid_, scalar_parameters(scene_));
     if (!scene_.particles.empty()) make_grains();
     if (fluid_ && grains_) make_coupling();
@@ -108,8 +109,10 @@ void World::declare()
     if (coupling_) {
         coupling_->declare(graph_, planned_mode_);
     } else if (fluid_) {
+        if (turbulence_) turbulence_->declare_before(graph_);
         if (scalars_) scalars_->declare_before(graph_);
         fluid_->declare(graph_);
+        if (turbulence_) turbulence_->declare(graph_);
         if (scalars_) scalars_->declare(graph_);
     } else if (grains_) {
         dry_grains_.emplace("grains", *grains_);

@@ -8,6 +8,7 @@
 #include "physics/fluid/time_step.hpp"
 #include "physics/steps/coupled_step.hpp"
 #include "physics/steps/scalar_step.hpp"
+#include "physics/steps/turbulence_step.hpp"
 #include "tasks/exchange_filler.hpp"
 #include "tasks/executor.hpp"
 #include <map>
@@ -29,6 +30,8 @@ public:
     [[nodiscard]] const core::Communicator& ranks() const { return ranks_; }
     [[nodiscard]] physics::FluidStep* fluid() { return fluid_ ? &*fluid_ : nullptr; }
     [[nodiscard]] const physics::FluidStep* fluid() const { return fluid_ ? &*fluid_ : nullptr; }
+    [[nodiscard]] physics::TurbulenceStep* turbulence() { return turbulence_ ? &*turbulence_ : nullptr; }
+    [[nodiscard]] const physics::TurbulenceStep* turbulence() const { return turbulence_ ? &*turbulence_ : nullptr; }
     [[nodiscard]] physics::ScalarStep* scalars() { return scalars_ ? &*scalars_ : nullptr; }
     [[nodiscard]] const physics::ScalarStep* scalars() const { return scalars_ ? &*scalars_ : nullptr; }
     [[nodiscard]] physics::ParticleDynamics* grains() { return grains_ ? &*grains_ : nullptr; }
@@ -108,6 +111,7 @@ private:
     tasks::ExchangeFiller halos_;
     tasks::StageGraph graph_;
     std::optional<physics::FluidStep> fluid_;
+    std::optional<physics::TurbulenceStep> turbulence_;
     std::optional<physics::ScalarStep> scalars_;
     std::optional<physics::ParticleDynamics> grains_;
     std::optional<physics::ParticleStepper> stepper_;

@@ -12,6 +12,7 @@ WorldMetrics::WorldMetrics(World& world, const std::filesystem::path& file, std:
     groups_.push_back(step_metrics(world));
     if (world.fluid()) groups_.push_back(fluid_metrics(world));
     if (world.fluid() && world.scene().fluid->drive) groups_.push_back(drive_metrics(world));
+    if (world.turbulence()) groups_.push_back(turbulence_metrics(world));
     if (world.scalars()) groups_.push_back(scalar_metrics(world));
     if (world.grains()) groups_.push_back(particle_metrics(world));
     if (world.grains() && world.scene().gravity) groups_.push_back(height_metrics(world));

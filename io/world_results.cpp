@@ -39,6 +39,10 @@ void WorldResults::write(World& world, std::int64_t number)
     if (fluid_) {
         const physics::FluidState& state = world.fluid()->state();
         std::vector<FieldViews<const double>> fields{views(state.velocity), views(state.pressure)};
+        if (const auto* turbulence = std::as_const(world).turbulence()) {
+            fields.push_back(views(turbulence->k()));
+            fields.push_back(views(turbulence->epsilon()));
+        }
         if (world.scalars())
             for (const core::ScalarField& scalar : std::as_const(*world.scalars()).fields().values) fields.push_back(views(scalar));
         if (world.coupling()) fields.push_back(views(std::as_const(world.coupling()->fields().fraction)));

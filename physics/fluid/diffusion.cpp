@@ -1,15 +1,22 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #include "physics/fluid/diffusion.hpp"
+#include "physics/fluid/cell_loops.hpp"
 
 namespace physics {
 
 void diffusive_inflow(const core::BlockGeometry& geometry, const BlockWalls& walls, core::View<const double> q,
-                      core::VectorView<const double> gradients, core::FaceView<double> flux, core::View<double> inflow)
+                      core::VectorView<const double> gradients, const FaceFactors& factors, DiffusiveInflow out)
 {
-    gradient_flux(geometry, q, gradients, flux);
-    wall_gradient_flux(geometry, walls, q, flux);
-    net_outflow(flux, inflow);
+    gradient_flux(geometry, q, gradients, out.flux);
+    wall_gradient_flux(geometry, walls, q, out.flux);
+    scale_flux(factors, out.flux);
+    net_outflow(out.flux, out.inflow);
+}
+
+void scale_flux(const FaceFactors& factors, core::FaceView<double> flux)
+{
+    if (factors) map_faces(flux, [](double f, double factor) { return f * factor; }, flux, *factors);
 }
 
 void viscous_acceleration(const core::BlockGeometry& geometry, double viscosity, core::View<const double> inflow,
@@ -33,6 +40,16 @@ void transmissibility_sum(const core::BlockGeometry& geometry, core::View<double
     core::for_each_cell(geometry.cells, [&](int i, int j, int k) {
         sum(i, j, k) = i_face(i, j, k) + i_face(i + 1, j, k) + j_face(i, j, k) + j_face(i, j + 1, k) + k_face(i, j, k) +
                        k_face(i, j, k + 1);
+    });
+}
+
+void transmissibility_sum(const core::BlockGeometry& geometry, core::FaceView<const double> factors, core::View<double> sum)
+{
+    const auto of = [&](int axis, core::Index3 face) {
+        return geometry.face[std::size_t(axis)].transmissibility.view()[face] * factors.along(axis)[face];
+    };
+    core::for_each_cell(geometry.cells, [&](int i, int j, int k) {
+        sum(i, j, k) = of(0, {i, j, k}) + of(0, {i + 1, j, k}) + of(1, {i, j, k}) + of(1, {i, j + 1, k}) + of(2, {i, j, k}) + of(2, {i, j, k + 1});
     });
 }
 

@@ -6,11 +6,16 @@
 
 namespace physics {
 
+/// Factors on faces; none: 1 everywhere.
+using FaceFactors = std::optional<core::FaceView<const double>>;
+
 /// Net flux of grad q into each cell, walls included.
-/// @param flux          Scratch, overwritten by the flux of grad q.
-/// @param[out] inflow   Interior [unit of q m].
+struct DiffusiveInflow {
+    core::FaceView<double> flux; ///< scratch, overwritten by the flux of grad q times the factors
+    core::View<double> inflow;   ///< out; interior [unit of q m]
+};
 void diffusive_inflow(const core::BlockGeometry& geometry, const BlockWalls& walls, core::View<const double> q,
-                      core::VectorView<const double> gradients, core::FaceView<double> flux, core::View<double> inflow);
+                      core::VectorView<const double> gradients, const FaceFactors& factors, DiffusiveInflow out);
 
 /// viscosity * Laplacian of q.
 /// @param viscosity  Kinematic [m2/s].
@@ -21,5 +26,9 @@ void viscous_acceleration(const core::BlockGeometry& geometry, double viscosity,
 
 /// Sum of the transmissibilities of each cell's faces, walls included [m].
 void transmissibility_sum(const core::BlockGeometry& geometry, core::View<double> sum);
+/// The same times factors on the faces.
+void transmissibility_sum(const core::BlockGeometry& geometry, core::FaceView<const double> factors, core::View<double> sum);
+/// Multiplies a flux by the factors.
+void scale_flux(const FaceFactors& factors, core::FaceView<double> flux);
 
 } // namespace physics

@@ -30,13 +30,15 @@ core::Vec3 volume_sum(const core::BlockGeometry& geometry, core::VectorView<cons
     return sum;
 }
 
-core::Vec3 wall_friction(const core::BlockGeometry& geometry, const BlockWalls& walls, core::VectorView<const double> velocity)
+core::Vec3 wall_friction(const core::BlockGeometry& geometry, const BlockWalls& walls, core::VectorView<const double> velocity,
+                         const FaceFactors& factors)
 {
     core::Vec3 sum = core::Vec3::Zero();
     for_each_wall_face(geometry, walls, [&](core::Side side, core::Index3 c, core::Index3 face) {
         const core::Vec3 u(velocity.x[c], velocity.y[c], velocity.z[c]);
         const double transmissibility = geometry.face[std::size_t(core::axis_of(side))].transmissibility.view()[face];
-        sum += 0.5 * transmissibility * (mirrored(walls.at(side), c, u) - u);
+        const double factor = factors ? factors->along(core::axis_of(side))[face] : 1.0;
+        sum += 0.5 * factor * transmissibility * (mirrored(walls.at(side), c, u) - u);
     });
     return sum;
 }

@@ -3,6 +3,7 @@
 #pragma once
 // Where the momentum of the fluid comes from and goes to in one step, per unit density.
 #include "physics/fluid/boundary.hpp"
+#include "physics/fluid/diffusion.hpp"
 
 namespace physics {
 
@@ -36,8 +37,10 @@ struct MomentumBudget {
 /// Sum of volume * q over the cells of a block.
 [[nodiscard]] core::Vec3 volume_sum(const core::BlockGeometry& geometry, core::VectorView<const double> q);
 
-/// Flux of grad u through the boundaries of a block into its cells; times density and viscosity, the friction on the fluid [m2/s].
-[[nodiscard]] core::Vec3 wall_friction(const core::BlockGeometry& geometry, const BlockWalls& walls, core::VectorView<const double> velocity);
+/// Flux of grad u, times factors, through the boundaries of a block into its cells; times density and viscosity, the friction on the
+/// fluid [m2/s].
+[[nodiscard]] core::Vec3 wall_friction(const core::BlockGeometry& geometry, const BlockWalls& walls, core::VectorView<const double> velocity,
+                                       const FaceFactors& factors = {});
 
 /// What the boundaries of a block push the fluid with, its pressure taken as that of the cells beside them where it is not given [N].
 /// @param share  Of the given pressure that acts: 1 for the pressure, 0 for a change of it.

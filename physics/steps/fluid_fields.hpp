@@ -3,6 +3,7 @@
 #pragma once
 // Fields that live within one step of the fluid; those that no kept stage touches are never allocated.
 #include "core/grid/mesh.hpp"
+#include "physics/fluid/viscosity_ratio.hpp"
 
 namespace physics {
 
@@ -28,7 +29,7 @@ struct FluidFields {
           throughput({"throughput", "m3/s", 0, false}, mesh.own_cells()),
           removed_outflow({"removed outflow", "m3/s", 0, false}, mesh.own_cells()),
           psi({"pressure impulse", "m2/s", 1, false}, mesh.own_cells()),
-          psi_gradient({"gradient of pressure impulse", "m/s", 1, false}, mesh.own_cells())
+          psi_gradient({"gradient of pressure impulse", "m/s", 1, false}, mesh.own_cells()), viscosity_ratio(mesh.own_cells())
     {
     }
 
@@ -48,6 +49,7 @@ struct FluidFields {
     core::ScalarField removed_outflow; ///< what the projection took away of it
     core::ScalarField psi;            ///< mobility * pressure increment
     core::VectorField psi_gradient;
+    ViscosityRatio viscosity_ratio; ///< none without turbulence
 };
 
 } // namespace physics

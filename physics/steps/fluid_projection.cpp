@@ -132,8 +132,8 @@ void FluidStep::declare_budget(tasks::StageGraph& graph)
     graph.each_block(
         "momentum budget",
         [this](LocalBlock b, Vectors u, Vectors before, Vectors source, Vectors advected, Vectors gp, Vectors predicted, Vectors psi_gradient,
-               View<const double> pressure, View<const double> impulse, FaceView<const double> carrier, const FluidClock& clock,
-               MomentumBudget& budget) {
+               View<const double> pressure, View<const double> impulse, FaceView<const double> carrier, const FaceFactors& factors,
+               const FluidClock& clock, MomentumBudget& budget) {
             const auto sum = [&](Vectors q) { return volume_sum(geometry(b), q); };
             const double dt = clock.dt, per_density = dt / parameters_.density, implicit = clock.implicit_share();
             const double volume = sum_cells([](double v) { return v; }, geometry(b).volume.view());
@@ -144,11 +144,11 @@ void FluidStep::declare_budget(tasks::StageGraph& graph)
             budget.drive = dt * volume * mean_acceleration(parameters_.drive, clock.drive, clock.time, dt);
             budget.pressure = per_density * wall_push(geometry(b), walls_of(b), pressure, 1) + wall_push(geometry(b), walls_of(b), impulse, 0);
             budget.gradient = -per_density * sum(gp) - sum(psi_gradient) - budget.pressure;
-            budget.viscosity = dt * parameters_.viscosity * ((1 - implicit) * wall_friction(geometry(b), walls_of(b), before) +
-                                                             implicit * wall_friction(geometry(b), walls_of(b), predicted));
+            budget.viscosity = dt * parameters_.viscosity * ((1 - implicit) * wall_friction(geometry(b), walls_of(b), before, factors) +
+                                                             implicit * wall_friction(geometry(b), walls_of(b), predicted, factors));
         },
         reads(state_.velocity, state_.velocity_before, f.source, f.advected, f.pressure_gradient, f.predicted, f.psi_gradient,
-              state_.pressure, f.psi, state_.flux, clock_),
+              state_.pressure, f.psi, state_.flux, f.viscosity_ratio, clock_),
         writes(budget_));
     graph.sink(budget_, "budget");
 }

@@ -45,7 +45,7 @@ void FluidStep::require_balance(const core::Communicator& ranks) const
 SystemContext FluidStep::system_context() const
 {
     const auto any = [this](auto holds) { return any_boundary(mesh_, parameters_.boundaries, holds); };
-    return {mesh_, walls_, halos_, any(gives_pressure), any(slips)};
+    return {mesh_, walls_, halos_, any(gives_pressure), any(slips), &fields_.viscosity_ratio};
 }
 
 void FluidStep::declare(tasks::StageGraph& graph)
@@ -176,10 +176,10 @@ void FluidStep::declare_implicit_viscosity(tasks::StageGraph& graph)
     auto& f = fields_;
     graph.whole(
         "implicit viscosity",
-        [this](tasks::Lane& lane, const FluidClock& clock, core::VectorField& change, core::VectorField& predicted) {
+        [this](tasks::Lane& lane, const FluidClock& clock, const ViscosityRatio&, core::VectorField& change, core::VectorField& predicted) {
             return viscosity_system_->solve(lane, clock.implicit_share() * clock.dt * parameters_.viscosity, predicted, change);
         },
-        reads(clock_), updates(f.viscous_change, f.predicted));
+        reads(clock_, f.viscosity_ratio), updates(f.viscous_change, f.predicted));
 }
 
 } // namespace physics

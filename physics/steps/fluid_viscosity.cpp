@@ -18,8 +18,9 @@ void FluidStep::velocity_gradients(LocalBlock b, Vectors u, const std::array<Vec
 void FluidStep::viscous_acceleration(LocalBlock b, Vectors u, const std::array<Vectors, 3>& gradients, FaceView<double> scratch,
                                      VectorView<double> out) const
 {
+    const FaceFactors factors = std::as_const(fields_).viscosity_ratio.on(b);
     for (int c = 0; c < 3; ++c) {
-        diffusive_inflow(geometry(b), walls_of(b), u.component(c), gradients[std::size_t(c)], scratch, out.component(c));
+        diffusive_inflow(geometry(b), walls_of(b), u.component(c), gradients[std::size_t(c)], factors, {scratch, out.component(c)});
         physics::viscous_acceleration(geometry(b), parameters_.viscosity, out.component(c), out.component(c));
     }
 }
@@ -40,10 +41,10 @@ void FluidStep::declare_viscous_acceleration(tasks::StageGraph& graph, core::Vec
     auto& f = fields_;
     graph.each_block(
         "viscous acceleration",
-        [this](LocalBlock b, Vectors u, Vectors gx, Vectors gy, Vectors gz, FaceView<double> scratch, VectorView<double> out) {
+        [this](LocalBlock b, Vectors u, Vectors gx, Vectors gy, Vectors gz, const FaceFactors&, FaceView<double> scratch, VectorView<double> out) {
             viscous_acceleration(b, u, {gx, gy, gz}, scratch, out);
         },
-        reads(beside(state_.velocity), beside(f.gradient_x), beside(f.gradient_y), beside(f.gradient_z)),
+        reads(beside(state_.velocity), beside(f.gradient_x), beside(f.gradient_y), beside(f.gradient_z), f.viscosity_ratio),
         writes(f.face_scratch, acceleration));
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "physics/steps/scalar_diffusion.hpp"
 #include "physics/fluid/cell_loops.hpp"
+#include "physics/fluid/diffusion.hpp"
 #include "physics/fluid/face_flux.hpp"
 #include "physics/fluid/gradient.hpp"
 #include "physics/steps/krylov_job.hpp"
@@ -13,18 +14,6 @@ namespace physics {
 namespace {
 
 core::FieldInfo scratch(const char* name, int halo) { return {name, "", halo, false}; }
-
-/// Sum of T D over the faces of each cell: the diagonal of the two-point part.
-void diagonal_of(const core::BlockGeometry& geometry, core::FaceView<const double> diffusivity, core::View<double> sum)
-{
-    const auto along = [&](int axis, core::Index3 face) {
-        return geometry.face[std::size_t(axis)].transmissibility.view()[face] * diffusivity.along(axis)[face];
-    };
-    core::for_each_cell(sum.extents(), [&](int i, int j, int k) {
-        sum(i, j, k) = along(0, {i, j, k}) + along(0, {i + 1, j, k}) + along(1, {i, j, k}) + along(1, {i, j + 1, k}) + along(2, {i, j, k}) +
-                       along(2, {i, j, k + 1});
-    });
-}
 
 void close_boundaries(const BlockWalls& walls, core::Extents cells, core::FaceView<double> flux)
 {
@@ -64,6 +53,7 @@ tasks::Job ScalarDiffusion::form_inflow(tasks::Lane& lane, core::ScalarField& q)
         close_boundaries(context_.walls[std::size_t(b)], geometry(b).cells, flux);
         map_faces(flux, [](double f, double d) { return f * d; }, flux, equation_->diffusivity.on(b));
         net_outflow(flux, inflow_.on(b));
+        if (equation_->free) map_cells(inflow_.on(b), [](double in, double free) { return in * free; }, inflow_.on(b), equation_->free->on(b));
     });
 }
 
@@ -71,7 +61,8 @@ tasks::Job ScalarDiffusion::choose_share(tasks::Lane& lane)
 {
     std::vector<double> largest(std::size_t(context_.mesh.own_count()), 0.0);
     for_blocks(lane, [&](core::LocalBlock b) {
-        diagonal_of(geometry(b), equation_->diffusivity.on(b), diagonal_.on(b));
+        transmissibility_sum(geometry(b), equation_->diffusivity.on(b), diagonal_.on(b));
+        if (equation_->free) map_cells(diagonal_.on(b), [](double sum, double free) { return sum * free; }, diagonal_.on(b), equation_->free->on(b));
         const core::View<const double> sum = diagonal_.on(b), w = equation_->capacity.on(b), volume = geometry(b).volume.view();
         double& most = largest[std::size_t(b)];
         core::for_each_cell(sum.extents(), [&](int i, int j, int k) { most = std::max(most, sum(i, j, k) / (w(i, j, k) * volume(i, j, k))); });

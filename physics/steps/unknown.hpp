@@ -6,7 +6,9 @@
 #include "core/grid/mesh.hpp"
 #include "physics/fluid/block_layout.hpp"
 #include "physics/fluid/boundary_halo.hpp"
+#include "physics/fluid/diffusion.hpp"
 #include "physics/fluid/mesh_links.hpp"
+#include "physics/fluid/viscosity_ratio.hpp"
 #include "tasks/stage_graph.hpp"
 #include <optional>
 
@@ -19,6 +21,9 @@ struct SystemContext {
     tasks::HaloFiller& halos;
     bool pressure_is_given = false; ///< on some boundary of the domain
     bool walls_slip = false;        ///< somewhere in the domain
+    const ViscosityRatio* viscosity_ratio = nullptr; ///< none: 1 everywhere
+
+    [[nodiscard]] FaceFactors viscosity_factors(core::LocalBlock b) const { return viscosity_ratio ? viscosity_ratio->on(b) : std::nullopt; }
 };
 
 class Unknown {

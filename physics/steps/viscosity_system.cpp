@@ -43,6 +43,7 @@ tasks::Job ViscositySystem::apply(tasks::Lane& lane, std::span<const double> in,
     co_await unknown_.form_fluxes(lane, component_, in);
     unknown_.for_blocks(lane, [&](core::LocalBlock b) {
         const auto result = layout_.view(b, out);
+        scale_flux(context_.viscosity_factors(b), unknown_.flux.on(b));
         net_outflow(unknown_.flux.on(b), result);
         map_cells(result, [d = diffusion_](double inflow, double volume, double x) { return volume * x - d * inflow; }, result,
                   context_.mesh.geometry(b).volume.view(), core::View<const double>(in.data() + layout_.origin(b), layout_.cells(b), 0));
@@ -79,7 +80,8 @@ tasks::Job ViscositySystem::form_residual(tasks::Lane& lane, const core::VectorF
         double* sum = sums_.data() + 3 * std::size_t(context_.mesh.global(b));
         for (int c = 0; c < 3; ++c) {
             const auto inflow = r.component(c);
-            diffusive_inflow(geometry, context_.walls[std::size_t(b)], u.component(c), gradient_[std::size_t(c)].on(b), flux_.on(b), inflow);
+            diffusive_inflow(geometry, context_.walls[std::size_t(b)], u.component(c), gradient_[std::size_t(c)].on(b), context_.viscosity_factors(b),
+                             {flux_.on(b), inflow});
             sum[1] += diffusion_ * diffusion_ * sum_cells([](double x) { return x * x; }, inflow);
             map_cells(inflow, [d = diffusion_](double in, double v, double x) { return d * in - v * x; }, inflow, volume, known.component(c));
             sum[0] += sum_cells([](double x) { return x * x; }, inflow);
@@ -113,6 +115,7 @@ tasks::Job ViscositySystem::solve(tasks::Lane& lane, double diffusion, core::Vec
     iterations_ = 0;
     Norms norms{}, before{};
     unknown_.for_blocks(lane, [&](core::LocalBlock b) {
+        if (const auto factors = context_.viscosity_factors(b)) transmissibility_sum(context_.mesh.geometry(b), *factors, transmissibility_sum_.on(b));
         map_components(velocity.on(b), [](double w, double x) { return w + x; }, velocity.on(b), change.on(b));
     });
     co_await form_residual(lane, change, velocity, norms);

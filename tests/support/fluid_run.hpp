@@ -10,6 +10,7 @@
 #include "physics/fluid/time_step.hpp"
 #include "physics/steps/fluid_step.hpp"
 #include "physics/steps/scalar_step.hpp"
+#include "physics/steps/turbulence_step.hpp"
 #include "tasks/exchange_filler.hpp"
 #include "tasks/executor.hpp"
 #include <cmath>
@@ -22,17 +23,26 @@ using core::Vec3;
 using VectorFunction = std::function<Vec3(const Vec3&)>;
 using ScalarFunction = std::function<double(const Vec3&)>;
 
+/// What the fluid of a run has beside its momentum.
+struct Carried {
+    std::vector<physics::ScalarParameters> scalars{};
+    std::optional<physics::TurbulenceParameters> turbulence{};
+};
+
 class FluidRun {
 public:
     explicit FluidRun(core::MultiBlock grid, const physics::FluidParameters& parameters, const tasks::ExecutorOptions& executor = {.kind = "serial"},
-                      const core::Communicator& ranks = core::Communicator::world(), const std::vector<physics::ScalarParameters>& scalars = {})
+                      const core::Communicator& ranks = core::Communicator::world(), const Carried& carried = {})
         : ranks_(ranks), mesh_(std::move(grid), ranks_.rank(), ranks_.size()),
           filler_(mesh_, ranks_), step_(mesh_, ranks_, filler_, parameters), graph_(layout(mesh_), ranks_)
     {
         graph_.fill_halos_with(filler_);
-        if (!scalars.empty()) scalars_.emplace(mesh_, step_, scalars);
+        if (!carried.scalars.empty()) scalars_.emplace(mesh_, step_, carried.scalars);
+        if (carried.turbulence) turbulence_.emplace(mesh_, step_, *carried.turbulence);
+        if (turbulence_) turbulence_->declare_before(graph_);
         if (scalars_) scalars_->declare_before(graph_);
         step_.declare(graph_);
+        if (turbulence_) turbulence_->declare(graph_);
         if (scalars_) scalars_->declare(graph_);
         graph_.sink(step_.state().flux);
         plan_ = std::make_unique<tasks::Plan>(graph_.compile({"budget"}));
@@ -130,6 +140,8 @@ public:
     [[nodiscard]] physics::FluidStep& fluid() { return step_; }
     /// @pre There are scalars.
     [[nodiscard]] physics::ScalarStep& scalars() { return *scalars_; }
+    /// @pre There is turbulence.
+    [[nodiscard]] physics::TurbulenceStep& turbulence() { return *turbulence_; }
     [[nodiscard]] const physics::FluidStep& fluid() const { return step_; }
     [[nodiscard]] double time() const { return step_.state().clock.time; }
 
@@ -146,6 +158,7 @@ private:
     tasks::ExchangeFiller filler_;
     physics::FluidStep step_;
     std::optional<physics::ScalarStep> scalars_;
+    std::optional<physics::TurbulenceStep> turbulence_;
     tasks::StageGraph graph_;
     std::unique_ptr<tasks::Plan> plan_;
     std::unique_ptr<tasks::Executor> executor_;

@@ -25,7 +25,7 @@ std::unique_ptr<test::FluidRun> channel_run(const tasks::ExecutorOptions& execut
     const core::Box box{{0, 0, 0}, {length, height, height / 4}, {24, 12, 2}, {2, 2, 1}, {false, false, true}};
     const auto bend = [](const Vec3& x) { return Vec3(x + 0.1 * height * std::sin(100 * x.x()) * Vec3(0, x.y() * (height - x.y()) * 4 / (height * height), 0)); };
     const std::vector<physics::ScalarParameters> scalars{{"dye", diffusivity, 0.25, {{"x_low", 1.0}}}, {"salt", 0.0, 3.0, {{"x_low", 3.0}}}};
-    auto run = std::make_unique<test::FluidRun>(core::make_box(box, bend), p, executor, ranks, scalars);
+    auto run = std::make_unique<test::FluidRun>(core::make_box(box, bend), p, executor, ranks, test::Carried{.scalars = scalars});
     run->start([](const Vec3&) { return Vec3(speed, 0, 0); });
     return run;
 }

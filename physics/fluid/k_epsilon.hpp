@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// The k-epsilon model of turbulence: formulas of one place.
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+
+namespace physics {
+
+/// Turbulence of a fluid: k [m2/s2] and its dissipation epsilon [m2/s3].
+struct Turbulence {
+    double k = 0, epsilon = 0;
+};
+
+/// @source  Launder & Spalding, Comput. Methods Appl. Mech. Eng. 3 (1974) 269, table 2.1; wall constants of a smooth wall.
+struct KEpsilonConstants {
+    double c_mu = 0.09, c_1 = 1.44, c_2 = 1.92, sigma_k = 1.0, sigma_epsilon = 1.3;
+    double kappa = 0.4187, wall = 9.793;
+};
+inline constexpr KEpsilonConstants k_epsilon{};
+
+/// What a scene says about turbulence.
+struct TurbulenceParameters {
+    Turbulence initial;
+    std::map<std::string, Turbulence> entering; ///< by boundary; elsewhere what enters is that of the cells inside
+    double roughness = 0;                       ///< of walls, as height of sand grains [m]
+};
+
+/// Turbulence of a given intensity in a flow of a given speed, its eddies of a given size.
+/// @param length  Mixing length, about 0.07 of the width of a duct [m].
+[[nodiscard]] inline Turbulence turbulence_of(double speed, double intensity, double length)
+{
+    const double k = 1.5 * intensity * intensity * speed * speed;
+    return {k, std::pow(k_epsilon.c_mu, 0.75) * std::pow(k, 1.5) / length};
+}
+
+/// Least values: where there is no turbulence, products and ratios of these stay in the range of numbers, and add nothing to the
+/// viscosity of any fluid.
+inline constexpr Turbulence least_turbulence{1e-20, 1e-28};
+
+/// nu_t = C_mu k^2 / epsilon, at most 1e5 times the viscosity of the fluid [m2/s].
+[[nodiscard]] inline double eddy_viscosity(double k, double epsilon, double viscosity)
+{
+    constexpr double most = 1e5;
+    return std::min(k_epsilon.c_mu * k * k / epsilon, most * viscosity);
+}
+
+/// Production of k [m2/s3]: nu_t |2 S|^2 / 2, held back where strain is so fast that the model would make turbulence without bounds.
+/// @param strain  2 S_ij S_ij [1/s2].
+/// @source  The bound: Menter, AIAA J. 32 (1994) 1598.
+[[nodiscard]] inline double production(double eddy_viscosity, double strain, double epsilon)
+{
+    constexpr double most = 10;
+    return std::min(eddy_viscosity * strain, most * epsilon);
+}
+
+/// How turbulence without production decays in a time, exactly: dk/dt = -epsilon, d epsilon/dt = -C_2 epsilon^2 / k.
+struct Decay {
+    Turbulence left; ///< share of each that is left
+    Turbulence pace; ///< mean rate of loss over the rate at the start: 1 for short times
+};
+/// @param turnovers  time epsilon / k.
+[[nodiscard]] inline Decay decay(double turnovers)
+{
+    const double power = std::log1p((k_epsilon.c_2 - 1) * turnovers) / (k_epsilon.c_2 - 1);
+    const double lost_k = -std::expm1(-power), lost_epsilon = -std::expm1(-k_epsilon.c_2 * power);
+    if (turnovers <= 0) return {{1, 1}, {1, 1}};
+    return {{std::exp(-power), std::exp(-k_epsilon.c_2 * power)}, {lost_k / turnovers, lost_epsilon / (k_epsilon.c_2 * turnovers)}};
+}
+
+/// The layer at a wall, seen from a cell beside it. Speeds follow from k, so that nothing vanishes where the flow reverses.
+/// @source  Launder & Spalding (1974), section 4.4; roughness: NUMERICS A4.
+struct WallLayer {
+    double friction_speed; ///< C_mu^(1/4) k^(1/2) [m/s]
+    double distance;       ///< y* [-]
+    double viscosity;      ///< of friction, over that of the fluid: at least 1
+    double turbulent;      ///< how far the cell lies outside of the viscous layer, from 0 to 1
+};
+/// @param y  Distance of the cell's centre from the wall [m].
+[[nodiscard]] inline WallLayer wall_layer(double k, double y, double viscosity, double roughness)
+{
+    const double speed = std::pow(k_epsilon.c_mu, 0.25) * std::sqrt(k), distance = speed * y / viscosity;
+    const double smoothness = k_epsilon.wall / (1 + 0.3 * speed * roughness / viscosity);
+    // Below y* = 11.2 the viscous law u+ = y* is the lower one, and holds; on rough walls u+ does not fall below 1.
+    const double speed_ratio = std::max(1.0, std::log(std::max(smoothness * distance, 1.0)) / k_epsilon.kappa);
+    // Kader, Int. J. Heat Mass Transfer 24 (1981) 1541, eq. (33).
+    const double blend = 0.01 * std::pow(distance, 4) / (1 + 5 * distance);
+    return {speed, distance, std::max(1.0, distance / speed_ratio), blend > 0 ? std::exp(-1 / blend) : 0.0};
+}
+
+/// Dissipation in a cell beside a wall: of the logarithmic layer, and 2 nu k / y^2 of the viscous layer [m2/s3].
+[[nodiscard]] inline double wall_dissipation(const WallLayer& layer, double k, double y, double viscosity)
+{
+    const double logarithmic = std::pow(layer.friction_speed, 3) / (k_epsilon.kappa * y);
+    return layer.turbulent * logarithmic + (1 - layer.turbulent) * 2 * viscosity * k / (y * y);
+}
+
+/// Production in a cell beside a wall: friction times the slope of the logarithmic law [m2/s3].
+/// @param slip  Speed along the wall, relative to it [m/s].
+[[nodiscard]] inline double wall_production(const WallLayer& layer, double slip, double y, double viscosity)
+{
+    return layer.turbulent * layer.viscosity * viscosity * slip / y * layer.friction_speed / (k_epsilon.kappa * y);
+}
+
+} // namespace physics

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// Turbulence by the k-epsilon model beside the step of the fluid: its viscosity before, k and epsilon after.
+#include "physics/fluid/turbulence.hpp"
+#include "physics/steps/fluid_step.hpp"
+#include "physics/steps/scalar_carrier.hpp"
+#include "physics/steps/scalar_diffusion.hpp"
+
+namespace physics {
+
+class TurbulenceStep {
+public:
+    /// Makes the fluid use the viscosity of turbulence; the fluid must outlive the step. Collective.
+    /// @throws ConfigError for a name that no boundary has, or a fluid without viscosity.
+    TurbulenceStep(const core::Mesh& mesh, FluidStep& fluid, const TurbulenceParameters& parameters);
+    TurbulenceStep(const TurbulenceStep&) = delete;
+    TurbulenceStep& operator=(const TurbulenceStep&) = delete;
+
+    /// Viscosity for the step, and what is needed of the old fluxes: to be declared before the stages of the fluid.
+    void declare_before(tasks::StageGraph& graph);
+    /// To be declared after the stages of the fluid.
+    void declare(tasks::StageGraph& graph);
+
+    [[nodiscard]] core::ScalarField& k() { return k_; }
+    [[nodiscard]] const core::ScalarField& k() const { return k_; }
+    [[nodiscard]] core::ScalarField& epsilon() { return epsilon_; }
+    [[nodiscard]] const core::ScalarField& epsilon() const { return epsilon_; }
+
+private:
+    void declare_viscosity(tasks::StageGraph& graph);
+    tasks::Job advance(tasks::Lane& lane, const core::FaceField& flux, double dt, const core::VectorField& velocity);
+    [[nodiscard]] WallsOfTurbulence walls(core::LocalBlock b) const;
+    [[nodiscard]] const BlockWalls& sides(core::LocalBlock b) const { return fluid_.walls()[std::size_t(b)]; }
+    template <class Body>
+    void for_blocks(tasks::Lane& lane, Body body) const
+    {
+        lane.team().run(mesh_.own_count(), [&](int b) { body(core::LocalBlock(b)); });
+    }
+
+    const core::Mesh& mesh_;
+    FluidStep& fluid_;
+    TurbulenceParameters parameters_;
+    std::vector<std::vector<WallCell>> wall_cells_; ///< of each block of this rank
+    std::vector<EntryValues> entering_k_, entering_epsilon_;
+    core::ScalarField k_, epsilon_;
+    core::ScalarField eddy_, produced_, share_;
+    core::ScalarField k_capacity_, k_source_, epsilon_capacity_, epsilon_source_, free_;
+    core::FaceField flux_, diffusivity_;
+    tasks::Part<FluidClock> clock_;
+    ScalarCarrier carrier_;
+    ScalarDiffusion diffusion_;
+};
+
+} // namespace physics

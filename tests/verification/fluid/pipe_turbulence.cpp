@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+// ctest: timeout=300
+// Turbulent flow in a smooth pipe at Re = 41,727 against the Superpipe (Zagarola & Smits; NUMERICS C2.2).
+#include "tests/support/fluid_run.hpp"
+#include <doctest/doctest.h>
+
+namespace {
+
+constexpr double diameter = 0.12936, mean_speed = 5.132, friction_speed = 0.26825, density = 1.162, viscosity = 1.8487e-5 / density;
+
+core::MultiBlock pipe(int across)
+{
+    core::Pipe p;
+    p.diameter = diameter;
+    p.length = 4 * diameter;
+    p.core_cells = across / 2;
+    p.wing_cells = across / 4;
+    p.axial_cells = 1;
+    p.blocks_along = 1;
+    return core::make_pipe(p);
+}
+
+std::unique_ptr<test::FluidRun> developed(int across, double dt, double roughness = 0)
+{
+    physics::FluidParameters air;
+    air.density = density;
+    air.viscosity = viscosity;
+    air.drive = physics::ConstantDrive{core::Vec3(4 * friction_speed * friction_speed / diameter, 0, 0)};
+    test::Carried carried{.turbulence = physics::TurbulenceParameters{physics::turbulence_of(mean_speed, 0.05, 0.07 * diameter), {}, roughness}};
+    auto run = std::make_unique<test::FluidRun>(pipe(across), air, tasks::ExecutorOptions{.kind = "serial"}, core::Communicator::world(), carried);
+    run->start([](const core::Vec3&) { return core::Vec3(mean_speed, 0, 0); });
+    for (double t = 0; t < 12; t += dt) run->step(dt); // ten times what friction takes to stop the flow
+    return run;
+}
+
+double mean_velocity(const test::FluidRun& run) { return run.mean([&](core::LocalBlock b, int i, int j, int k) { return run.velocity(b, i, j, k).x(); }); }
+
+} // namespace
+
+TEST_CASE("friction of a smooth pipe at Re = 41,727 agrees with the Superpipe to 3 %")
+{
+    for (const int across : {16, 24, 32}) {
+        const auto run = developed(across, 0.04);
+        const double speed = mean_velocity(*run), friction = 8 * std::pow(friction_speed / speed, 2);
+        const double reach = run->largest([&](core::LocalBlock b, int i, int j, int k) { return run->centre(b, i, j, k).tail<2>().norm(); });
+        const double least = diameter / 2 - reach;
+        MESSAGE(across, " cells across, y+ of the first ", least * friction_speed / viscosity, ": mean speed ", speed, " m/s, friction ", friction, " of 0.021858, ",
+                100 * (friction / 0.021858 - 1), " %, fastest ", run->largest([&](core::LocalBlock b, int i, int j, int k) { return run->velocity(b, i, j, k).x(); }));
+        CHECK(std::abs(friction / 0.021858 - 1) < 0.03);
+    }
+}
+
+TEST_CASE("what a steady turbulent flow is does not depend on the time step, and its momentum is all in the books")
+{
+    const double slow = mean_velocity(*developed(16, 0.08)), fast = mean_velocity(*developed(16, 0.02));
+    CHECK(std::abs(slow / fast - 1) < 1e-4); // what 12 s leave of the start
+    const auto run = developed(16, 0.04);
+    const auto budget = run->budget();
+    CHECK(budget.defect().norm() < 1e-7 * budget.drive.norm()); // of the solver of viscosity, 1e-8 of the change
+    CHECK(std::abs(budget.viscosity.x() / budget.drive.x() + 1) < 1e-3);
+}
+
+TEST_CASE("a rough wall brakes the flow as Nikuradse's law says")
+{
+    // Fully rough: f^(-1/2) = 2 log10(3.7 D / k_s).
+    const double roughness = 0.02 * diameter, rough = std::pow(2 * std::log10(3.7 * diameter / roughness), -2);
+    const double friction = 8 * std::pow(friction_speed / mean_velocity(*developed(16, 0.04, roughness)), 2);
+    MESSAGE("friction ", friction, " of ", rough);
+    CHECK(std::abs(friction / rough - 1) < 0.05);
+}

@@ -29,8 +29,6 @@ void check_scalars(const Scene& scene, const Locations& locations, Problems& pro
 {
     constexpr std::array<std::string_view, 7> taken{"velocity", "pressure", "velocity before", "volume flux", "fluid fraction", "k", "epsilon"};
     const auto& all = scene.fluid->scalars;
-    if (!all.empty() && !scene.particles.empty())
-        problems.add(locations.at("fluid.scalars"), "scalars beside particles cannot be computed yet", "leave one of the two out");
     for (std::size_t n = 0; n < all.size(); ++n) {
         const std::string path = fmt::format("fluid.scalars.{}", n);
         if (std::any_of(all.begin(), all.begin() + std::ptrdiff_t(n), [&](const Scalar& s) { return s.name == all[n].name; }) ||
@@ -54,8 +52,6 @@ void check_turbulence(const Scene& scene, const Locations& locations, Problems& 
         problems.add(locations.at("fluid.turbulence"), "turbulence needs 'speed' where nothing flows in", "add the speed of the flow, such as speed: 1 m/s");
     if (scene.fluid->material.viscosity == 0)
         problems.add(locations.at("fluid.turbulence"), "turbulence needs a fluid with viscosity", "give the viscosity, or remove it");
-    if (!scene.particles.empty())
-        problems.add(locations.at("fluid.turbulence"), "turbulence beside particles cannot be computed yet", "leave one of the two out");
 }
 
 } // namespace

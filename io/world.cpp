@@ -45,10 +45,9 @@ World::World(const Scene& scene, core::MultiBlock blocks, const core::Communicat
         const core::Vec3 direction = physics::drive_direction(fluid_->parameters().drive);
         if (direction.norm() > 0) axis_ = axis_cell(locator_, scene_.grid, direction);
     }
-    if (fluid_ && scene_.fluid->is_turbulent()) turbulence_.emplace(mesh_, *fluid_, turbulence_parameters(scene_));
-    if (fluid_ && !scene_.fluid->scalars.empty()) scalars_.emplace(mesh_, *fluid_, scalar_parameters(scene_));
     if (!scene_.particles.empty()) make_grains();
     if (fluid_ && grains_) make_coupling();
+    if (fluid_) make_company();
 }
 
 void World::make_grains()
@@ -75,6 +74,22 @@ void World::make_coupling()
 {
     coupling_.emplace(locator_, ranks_, halos_, *fluid_, *grains_, *stepper_, coupling_parameters(scene_));
     asked_mode_ = asked_mode(scene_);
+}
+
+/// What the fluid has beside its momentum.
+void World::make_company()
+{
+    if (scene_.fluid->is_turbulent()) turbulence_.emplace(mesh_, *fluid_, turbulence_parameters(scene_), coupling());
+    if (!scene_.fluid->scalars.empty()) scalars_.emplace(mesh_, *fluid_, scalar_parameters(scene_), coupling(), ranks_);
+    if (!coupling_) return;
+    const auto before = [this](tasks::StageGraph& graph) {
+        if (turbulence_) turbulence_->declare_before(graph);
+        if (scalars_) scalars_->declare_before(graph);
+    };
+    const auto after = [this](tasks::StageGraph& graph) {
+        if (turbulence_) turbulence_->declare(graph);
+    };
+    coupling_->keep_company({before, after});
 }
 
 double World::settling_left() const
@@ -108,6 +123,7 @@ void World::declare()
 {
     if (coupling_) {
         coupling_->declare(graph_, planned_mode_);
+        if (scalars_) scalars_->declare(graph_);
     } else if (fluid_) {
         if (turbulence_) turbulence_->declare_before(graph_);
         if (scalars_) scalars_->declare_before(graph_);
@@ -163,8 +179,10 @@ void World::put_back()
 
 void World::initialise()
 {
-    if (coupling_)
-        tasks::run(ranks_, core::SerialTeam(), [&](tasks::Lane& lane) { return coupling_->initialise(lane); });
+    if (!coupling_) return;
+    if (turbulence_) tasks::run(ranks_, core::SerialTeam(), [&](tasks::Lane& lane) { return turbulence_->find_viscosity(lane); });
+    tasks::run(ranks_, core::SerialTeam(), [&](tasks::Lane& lane) { return coupling_->initialise(lane); });
+    if (scalars_ && clock().step == 0) scalars_->begin(coupling_->fields().fraction);
 }
 
 void World::try_step(tasks::Executor& executor)

@@ -86,6 +86,7 @@ public:
 private:
     void make_grains();
     void make_coupling();
+    void make_company();
     void declare();
     [[nodiscard]] tasks::Layout layout() const;
     [[nodiscard]] physics::StabilityNumbers stability(double dt) const;

@@ -45,6 +45,7 @@ World::OtherMode& World::add_mode(physics::Mode mode)
     OtherMode& other = others_.try_emplace(mode, layout(), ranks_).first->second;
     other.graph.fill_halos_with(halos_);
     coupling_->declare(other.graph, mode);
+    if (scalars_) scalars_->declare(other.graph);
     other.plan.emplace(other.graph.compile({"budget"}));
     return other;
 }

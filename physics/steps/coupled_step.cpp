@@ -52,6 +52,7 @@ void CoupledStep::declare(tasks::StageGraph& graph, Mode mode)
     for (int pass = 0; pass < passes; ++pass) {
         if (pass == 0) {
             const auto lane = graph.lane("fluid");
+            if (company_.before) company_.before(graph);
             declare_viscosity(graph);
             declare_transport(graph);
             declare_memory(graph);
@@ -81,6 +82,7 @@ void CoupledStep::declare(tasks::StageGraph& graph, Mode mode)
             declare_volume_flux(graph, sums);
             declare_projection(graph);
             declare_correction(graph);
+            if (company_.after && pass == passes - 1) company_.after(graph);
         }
         const Pass kind = pass == passes - 1 ? Pass::last : Pass::followed;
         declare_answer(graph, mode, kind);

@@ -10,6 +10,7 @@
 #include "physics/particles/stepper.hpp"
 #include "physics/steps/fluid_step.hpp"
 #include "physics/steps/lane_filter.hpp"
+#include <functional>
 #include <memory>
 
 namespace physics {
@@ -25,6 +26,11 @@ public:
     CoupledStep(const CoupledStep&) = delete;
     CoupledStep& operator=(const CoupledStep&) = delete;
 
+    /// Stages of others, declared in the lane of the fluid where it begins a step and where its new velocity is known.
+    struct Company {
+        std::function<void(tasks::StageGraph&)> before, after;
+    };
+    void keep_company(Company company) { company_ = std::move(company); }
     /// Declares all stages, those of the fluid included. May be called for several graphs, of which each step runs one.
     /// @pre At the start of a step no rank has lists of neighbours (see grain_job.hpp): a repeated pass could not restore them.
     void declare(tasks::StageGraph& graph, Mode mode);
@@ -117,6 +123,7 @@ private:
     core::HaloExchange plan_;
     ExchangeFields fields_;
     GrainExchange exchange_;
+    Company company_;
     LaneFilter filter_;                       ///< of the grain lane
     std::unique_ptr<LaneFilter> fluid_filter_; ///< of a fluid lane that does not wait for the grains
     core::FaceField face_mobility_, known_face_mobility_;

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #include "physics/steps/scalar_carrier.hpp"
+#include "core/base/error.hpp"
 #include "physics/fluid/advection_lcsi.hpp"
 #include "physics/fluid/cell_loops.hpp"
 #include "physics/fluid/face_flux.hpp"
@@ -25,12 +26,14 @@ ScalarCarrier::ScalarCarrier(const SystemContext& context)
       net_(scratch("net outflow of a scalar", 0), context.mesh.own_cells()), upwind_(scratch("upwind flux of a scalar", 0), context.mesh.own_cells()),
       added_(scratch("added flux of a scalar", 0), context.mesh.own_cells())
 {
+    core::require<core::ConfigError>(context.mesh.topology().joints.interfaces.empty(),
+                                     "scalars and turbulence cannot cross sides of blocks whose points do not match yet: let them match");
     for (const core::BlockId b : context.mesh.own()) centres_.push_back(face_centres(context.mesh.vertices(b)));
     for (core::VectorField* field : {&velocity_, &gradient_}) field->allocate();
     for (core::ScalarField* field : {&half_, &gain_, &loss_, &next_share_, &capacity_, &low_, &net_}) field->allocate();
     for (core::FaceField* field : {&upwind_, &added_}) field->allocate();
-    context_.halos.prepare(&gradient_, 1);
-    context_.halos.prepare(&half_, 1);
+    context_.halos.prepare(&gradient_, core::beside);
+    context_.halos.prepare(&half_, core::beside);
 }
 
 void set_entering(const BlockWalls& walls, const EntryValues& entering, core::View<double> value)
@@ -100,13 +103,13 @@ void ScalarCarrier::step_upwind(core::LocalBlock b, const Flow& flow, const Carr
 
 tasks::Job ScalarCarrier::carry(tasks::Lane& lane, const Flow& flow, double dt, const CarriedScalar& scalar)
 {
-    co_await context_.halos.fill(lane, scalar.value, 1);
+    co_await context_.halos.fill(lane, scalar.value, core::beside);
     for_blocks(lane, [&](core::LocalBlock b) { predict(b, flow, dt, scalar); });
-    co_await context_.halos.fill(lane, &gradient_, 1);
-    co_await context_.halos.fill(lane, &half_, 1);
+    co_await context_.halos.fill(lane, &gradient_, core::beside);
+    co_await context_.halos.fill(lane, &half_, core::beside);
     for_blocks(lane, [&](core::LocalBlock b) { step_upwind(b, flow, scalar); });
-    co_await context_.halos.fill(lane, &gain_, 1);
-    co_await context_.halos.fill(lane, &loss_, 1);
+    co_await context_.halos.fill(lane, &gain_, core::beside);
+    co_await context_.halos.fill(lane, &loss_, core::beside);
     for_blocks(lane, [&](core::LocalBlock b) {
         reduce_fluxes(gain_.on(b), loss_.on(b), added_.on(b));
         const auto out = half_.on(b); // no longer needed

@@ -34,19 +34,19 @@ ScalarDiffusion::ScalarDiffusion(const SystemContext& context, const BlockLayout
     for (core::ScalarField* field : {&change_, &inflow_, &diagonal_, &right_}) field->allocate();
     gradient_.allocate();
     flux_.allocate();
-    context_.halos.prepare(&change_, 1);
-    context_.halos.prepare(&gradient_, 1);
+    context_.halos.prepare(&change_, core::beside);
+    context_.halos.prepare(&gradient_, core::beside);
 }
 
 tasks::Job ScalarDiffusion::form_inflow(tasks::Lane& lane, core::ScalarField& q)
 {
     ++products_;
-    co_await context_.halos.fill(lane, &q, 1);
+    co_await context_.halos.fill(lane, &q, core::beside);
     for_blocks(lane, [&](core::LocalBlock b) {
         mirror_even(context_.walls[std::size_t(b)], 1, q.on(b));
         gradient(geometry(b), geometry(b).gradient, q.on(b), gradient_.on(b));
     });
-    co_await context_.halos.fill(lane, &gradient_, 1);
+    co_await context_.halos.fill(lane, &gradient_, core::beside);
     for_blocks(lane, [&](core::LocalBlock b) {
         const auto flux = flux_.on(b);
         gradient_flux(geometry(b), q.on(b), gradient_.on(b), flux);

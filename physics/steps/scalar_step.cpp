@@ -3,17 +3,50 @@
 #include "physics/steps/scalar_step.hpp"
 #include "core/base/error.hpp"
 #include "physics/fluid/cell_loops.hpp"
+#include "physics/fluid/face_flux.hpp"
+#include "physics/fluid/gradient.hpp"
+#include "physics/fluid/projection.hpp"
 
 #include <algorithm>
 
 namespace physics {
 
-using core::FaceView, core::LocalBlock;
-using tasks::reads, tasks::updates, tasks::writes;
+using core::LocalBlock;
+using tasks::reads, tasks::updates;
 
-ScalarStep::ScalarStep(const core::Mesh& mesh, FluidStep& fluid, const std::vector<ScalarParameters>& scalars)
+struct ScalarStep::Agreement {
+    Agreement(const core::Mesh& mesh, const FluidStep& fluid, const core::Communicator& ranks)
+        : context(fluid.system_context()), system(context, ranks, fluid.parameters().tolerances),
+          outflow({"net outflow of the fluid alone", "m3/s", 0, false}, mesh.own_cells()),
+          through({"throughput of the fluid alone", "m3/s", 0, false}, mesh.own_cells()),
+          psi({"potential of the fluid alone", "m2/s", 1, false}, mesh.own_cells()),
+          gradient({"gradient of the potential of the fluid alone", "m/s", 1, false}, mesh.own_cells()),
+          scratch({"correction of the flux of the fluid alone", "m3/s", 0, false}, mesh.own_cells()),
+          share({"share of the carrier", "1", 1, false}, mesh.own_cells()), faces({"share of the carrier on faces", "1", 0, false}, mesh.own_cells())
+    {
+        for (core::ScalarField* field : {&outflow, &through, &psi, &share}) field->allocate();
+        gradient.allocate();
+        scratch.allocate();
+        faces.allocate();
+        context.halos.prepare(&psi, core::beside);
+        context.halos.prepare(&share, core::beside);
+        context.halos.prepare(&gradient, core::beside);
+    }
+    SystemContext context;
+    PressureSystem system;
+    core::ScalarField outflow, through, psi;
+    core::VectorField gradient;
+    core::FaceField scratch;
+    core::ScalarField share;
+    core::FaceField faces; ///< mean share of the cells of each face
+};
+
+ScalarStep::~ScalarStep() = default;
+
+ScalarStep::ScalarStep(const core::Mesh& mesh, FluidStep& fluid, const std::vector<ScalarParameters>& scalars, CoupledStep* coupling,
+                       const core::Communicator& ranks)
     : mesh_(mesh), fluid_(fluid), parameters_(scalars), fields_(mesh, scalars), part_("scalars", fields_), clock_("fluid clock", fluid.state().clock),
-      carrier_(fluid.system_context()), flux_({"flux that carries scalars", "m3/s", 0, false}, mesh.own_cells()),
+      carrier_(fluid.system_context()), flux_(mesh, fluid, coupling, "scalars"),
       diffusivity_({"diffusivity of a scalar", "m2/s", 0, false}, mesh.own_cells()),
       source_({"amount of a scalar", "", 0, false}, mesh.own_cells())
 {
@@ -24,36 +57,76 @@ ScalarStep::ScalarStep(const core::Mesh& mesh, FluidStep& fluid, const std::vect
                                              core::text("scalar '", scalar.name, "': no boundary is called '", name, "'"));
         entering_.push_back(entry_values(mesh, scalar.entering));
     }
+    if (coupling) agreement_ = std::make_unique<Agreement>(mesh, fluid, ranks);
     if (std::none_of(parameters_.begin(), parameters_.end(), [](const auto& s) { return s.diffusivity > 0; })) return;
     diffusion_ = std::make_unique<ScalarDiffusion>(fluid.system_context(), fluid.pressure_system().layout());
     diffusivity_.allocate();
     source_.allocate();
 }
 
-void ScalarStep::declare_before(tasks::StageGraph& graph)
+void ScalarStep::begin(const core::ScalarField& fraction)
 {
-    graph.each_block(
-        "flux that carries scalars, old half",
-        [](LocalBlock, FaceView<const double> flux, FaceView<double> mean) { map_faces(mean, [](double f) { return 0.5 * f; }, flux); },
-        reads(fluid_.state().flux), writes(flux_));
+    for (LocalBlock b = 0; b < mesh_.own_count(); ++b) map_cells(fields_.share.on(b), [](double phi) { return phi; }, fraction.on(b));
 }
+
+void ScalarStep::declare_before(tasks::StageGraph& graph) { flux_.declare_old_half(graph); }
 
 void ScalarStep::declare(tasks::StageGraph& graph)
 {
-    graph.each_block(
-        "flux that carries scalars, new half",
-        [](LocalBlock, FaceView<const double> flux, FaceView<double> mean) { map_faces(mean, [](double m, double f) { return m + 0.5 * f; }, mean, flux); },
-        reads(fluid_.state().flux), updates(flux_));
-    graph.whole(
-        "carry scalars",
-        [this](tasks::Lane& lane, const core::FaceField& flux, const FluidClock& clock, ScalarSet& fields) -> tasks::Job {
-            std::vector<CarriedScalar> carried;
-            for (std::size_t n = 0; n < fields.values.size(); ++n) carried.push_back({&fields.values[n], entering_[n]});
-            co_await carrier_.carry(lane, {flux, fields.share, clock.dt}, carried);
-            if (diffusion_) co_await diffuse(lane, clock.dt, fields);
-        },
-        reads(flux_, clock_), updates(part_));
+    flux_.declare_new_half(graph, FluidFlux::Grains::moved);
+    if (agreement_)
+        graph.whole(
+            "carry scalars between grains",
+            [this](tasks::Lane& lane, const core::ScalarField&, const FluidClock& clock, core::FaceField& flux, ScalarSet& fields) -> tasks::Job {
+                co_await agree_with_grains(lane, flux, clock.dt, fields);
+                co_await carry(lane, flux, clock.dt, fields);
+            },
+            reads(flux_.coupling()->fields().fraction, clock_), updates(flux_.mean(), part_));
+    else
+        graph.whole(
+            "carry scalars",
+            [this](tasks::Lane& lane, const FluidClock& clock, core::FaceField& flux, ScalarSet& fields) { return carry(lane, flux, clock.dt, fields); },
+            reads(clock_), updates(flux_.mean(), part_));
     graph.sink(part_);
+}
+
+tasks::Job ScalarStep::carry(tasks::Lane& lane, core::FaceField& flux, double dt, ScalarSet& fields)
+{
+    std::vector<CarriedScalar> carried;
+    for (std::size_t n = 0; n < fields.values.size(); ++n) carried.push_back({&fields.values[n], entering_[n]});
+    co_await carrier_.carry(lane, {flux, fields.share, dt}, carried);
+    if (diffusion_) co_await diffuse(lane, dt, fields);
+}
+
+tasks::Job ScalarStep::agree_with_grains(tasks::Lane& lane, core::FaceField& flux, double dt, ScalarSet& fields)
+{
+    constexpr double volume_counts = 1e-3; // what is left of a disagreement may be that share of the tolerance of a cell's volume
+    Agreement& a = *agreement_;
+    const core::ScalarField& fraction = flux_.coupling()->fields().fraction;
+    lane.team().run(mesh_.own_count(), [&](int b) {
+        const auto volume = mesh_.geometry(b).volume.view();
+        net_outflow(flux.on(b), a.outflow.on(b));
+        throughput(flux.on(b), a.through.on(b));
+        map_cells(a.outflow.on(b), [dt](double out, double v, double phi, double w) { return out + v * (phi - w) / dt; }, a.outflow.on(b), volume,
+                  fraction.on(b), fields.share.on(b));
+        map_cells(a.through.on(b), [per = volume_counts / dt](double through, double v) { return through + per * v; }, a.through.on(b), volume);
+    });
+    co_await a.system.solve(lane, {a.outflow, a.through, 1.0}, a.psi);
+    co_await a.context.halos.fill(lane, &a.psi, core::beside);
+    lane.team().run(mesh_.own_count(), [&](int b) {
+        const BlockWalls& walls = fluid_.walls()[std::size_t(b)];
+        mirror_pressure_change(walls, 1, a.psi.on(b));
+        gradient(mesh_.geometry(b), pressure_matrices(mesh_.geometry(b), walls), a.psi.on(b), a.gradient.on(b));
+        map_cells(a.share.on(b), [](double phi) { return phi; }, fraction.on(b));
+    });
+    co_await a.context.halos.fill(lane, &a.gradient, core::beside);
+    co_await a.context.halos.fill(lane, &a.share, core::beside);
+    lane.team().run(mesh_.own_count(), [&](int b) {
+        const BlockWalls& walls = fluid_.walls()[std::size_t(b)];
+        correct_flux(mesh_.geometry(b), walls, a.psi.on(b), a.gradient.on(b), a.scratch.on(b), flux.on(b));
+        mirror_even(walls, 1, a.share.on(b));
+        mean_on_faces(a.share.on(b), a.faces.on(b));
+    });
 }
 
 tasks::Job ScalarStep::diffuse(tasks::Lane& lane, double dt, ScalarSet& fields)
@@ -62,7 +135,9 @@ tasks::Job ScalarStep::diffuse(tasks::Lane& lane, double dt, ScalarSet& fields)
         const double diffusivity = parameters_[n].diffusivity;
         if (diffusivity == 0) continue;
         lane.team().run(mesh_.own_count(), [&](int b) {
-            map_faces(diffusivity_.on(b), [diffusivity](double) { return diffusivity; }, diffusivity_.on(b));
+            const auto faces = diffusivity_.on(b);
+            map_faces(faces, [diffusivity](double) { return diffusivity; }, faces);
+            if (agreement_) map_faces(faces, [](double d, double phi) { return d * phi; }, faces, agreement_->faces.on(b));
             map_cells(source_.on(b), [](double w, double q) { return w * q; }, fields.share.on(b), fields.values[n].on(b));
         });
         co_await diffusion_->solve(lane, {diffusivity_, fields.share, source_, dt}, fields.values[n]);

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Passive scalars in the fluid: carried with its fluxes, then diffused.
-#include "physics/steps/fluid_step.hpp"
+// Passive scalars in the fluid: carried with its fluxes, then diffused. Beside grains the fluxes are made to agree with the share of
+// each cell that the fluid fills, before and after: so what is carried stays in its range, and its amount too.
+#include "physics/steps/fluid_flux.hpp"
 #include "physics/steps/scalar_carrier.hpp"
 #include "physics/steps/scalar_diffusion.hpp"
 
@@ -12,14 +13,19 @@ class ScalarStep {
 public:
     /// The fluid must outlive the step. Collective.
     /// @throws ConfigError for a name that no boundary has.
-    ScalarStep(const core::Mesh& mesh, FluidStep& fluid, const std::vector<ScalarParameters>& scalars);
+    /// @param ranks, coupling  Of the grains; none where the fluid is alone.
+    ScalarStep(const core::Mesh& mesh, FluidStep& fluid, const std::vector<ScalarParameters>& scalars, CoupledStep* coupling = nullptr,
+               const core::Communicator& ranks = core::Communicator::self());
+    ~ScalarStep();
     ScalarStep(const ScalarStep&) = delete;
     ScalarStep& operator=(const ScalarStep&) = delete;
 
     /// What is needed of the old fluxes: to be declared before the stages of the fluid.
     void declare_before(tasks::StageGraph& graph);
-    /// To be declared after the stages of the fluid.
+    /// To be declared after all other stages.
     void declare(tasks::StageGraph& graph);
+    /// Where the fluid shares its cells with grains, as they are: to be called before the first step of a new state.
+    void begin(const core::ScalarField& fraction);
 
     [[nodiscard]] ScalarSet& fields() { return fields_; }
     [[nodiscard]] const ScalarSet& fields() const { return fields_; }
@@ -28,7 +34,10 @@ public:
     [[nodiscard]] int parts() const { return carrier_.parts(); }
 
 private:
+    tasks::Job carry(tasks::Lane& lane, core::FaceField& flux, double dt, ScalarSet& fields);
     tasks::Job diffuse(tasks::Lane& lane, double dt, ScalarSet& fields);
+    /// Makes the flux such that carrying it fills the shares of the cells that the grains leave.
+    tasks::Job agree_with_grains(tasks::Lane& lane, core::FaceField& flux, double dt, ScalarSet& fields);
 
     const core::Mesh& mesh_;
     FluidStep& fluid_;
@@ -39,9 +48,11 @@ private:
     tasks::Part<FluidClock> clock_;
     ScalarCarrier carrier_;
     std::unique_ptr<ScalarDiffusion> diffusion_; ///< none if nothing diffuses
-    core::FaceField flux_;                       ///< that carries, mean over the step [m3/s]
+    FluidFlux flux_;
     core::FaceField diffusivity_;
     core::ScalarField source_;
+    struct Agreement;
+    std::unique_ptr<Agreement> agreement_; ///< with grains
 };
 
 } // namespace physics

@@ -9,7 +9,7 @@
 namespace physics {
 
 using core::FaceView, core::LocalBlock, core::View;
-using tasks::halo, tasks::reads, tasks::updates, tasks::writes;
+using tasks::beside, tasks::reads, tasks::updates, tasks::writes;
 using Vectors = core::VectorView<const double>;
 
 namespace {
@@ -31,16 +31,18 @@ std::vector<EntryValues> entering(const core::Mesh& mesh, const TurbulenceParame
 
 } // namespace
 
-TurbulenceStep::TurbulenceStep(const core::Mesh& mesh, FluidStep& fluid, const TurbulenceParameters& parameters)
+TurbulenceStep::TurbulenceStep(const core::Mesh& mesh, FluidStep& fluid, const TurbulenceParameters& parameters, CoupledStep* coupling)
     : mesh_(mesh), fluid_(fluid), parameters_(parameters), entering_k_(entering(mesh, parameters, &Turbulence::k)),
       entering_epsilon_(entering(mesh, parameters, &Turbulence::epsilon)), k_({"k", "m2/s2", 1, true}, mesh.own_cells()),
       epsilon_({"epsilon", "m2/s3", 1, true}, mesh.own_cells()), eddy_(scratch("eddy viscosity", "m2/s", 1), mesh.own_cells()),
-      produced_(scratch("production of turbulence", "m2/s3"), mesh.own_cells()), share_(scratch("share of the carrier of turbulence", "1"), mesh.own_cells()),
+      produced_(scratch("production of turbulence", "m2/s3"), mesh.own_cells()), share_(scratch("share of the carrier of turbulence", "1", 1), mesh.own_cells()),
       k_capacity_(scratch("capacity for k", "1"), mesh.own_cells()), k_source_(scratch("source of k", "m2/s2"), mesh.own_cells()),
       epsilon_capacity_(scratch("capacity for epsilon", "1"), mesh.own_cells()), epsilon_source_(scratch("source of epsilon", "m2/s3"), mesh.own_cells()),
-      free_(scratch("cells away from walls", "1"), mesh.own_cells()), flux_(scratch("flux that carries turbulence", "m3/s"), mesh.own_cells()),
+      free_(scratch("cells away from walls", "1"), mesh.own_cells()), flux_(mesh, fluid, coupling, "turbulence"),
+      face_share_(scratch("share of the carrier of turbulence on faces", "1"), mesh.own_cells()),
       diffusivity_(scratch("diffusivity of turbulence", "m2/s"), mesh.own_cells()), clock_("fluid clock", fluid.state().clock),
-      carrier_(fluid.system_context()), diffusion_(fluid.system_context(), fluid.pressure_system().layout())
+      halos_(fluid.system_context().halos), carrier_(fluid.system_context()),
+      diffusion_(fluid.system_context(), fluid.pressure_system().layout())
 {
     core::require<core::ConfigError>(fluid.parameters().viscosity > 0, "turbulence needs a fluid with viscosity: the layers at walls follow from it");
     const auto& boundaries = mesh.topology().boundaries;
@@ -50,8 +52,13 @@ TurbulenceStep::TurbulenceStep(const core::Mesh& mesh, FluidStep& fluid, const T
     for (LocalBlock b = 0; b < mesh.own_count(); ++b) wall_cells_.push_back(wall_cells(mesh.geometry(b), sides(b)));
     fill(k_, mesh.own_count(), std::max(parameters.initial.k, least_turbulence.k));
     fill(epsilon_, mesh.own_count(), std::max(parameters.initial.epsilon, least_turbulence.epsilon));
-    for (core::ScalarField* field : {&share_, &k_capacity_, &k_source_, &epsilon_capacity_, &epsilon_source_, &free_}) field->allocate();
+    for (core::ScalarField* field : {&k_capacity_, &k_source_, &epsilon_capacity_, &epsilon_source_, &free_}) field->allocate();
     diffusivity_.allocate();
+    if (coupling) {
+        face_share_.allocate();
+        halos_.prepare(&share_, core::beside);
+        halos_.prepare(&eddy_, core::beside);
+    }
     fluid.fields().viscosity_ratio.begin();
 }
 
@@ -62,7 +69,6 @@ WallsOfTurbulence TurbulenceStep::walls(LocalBlock b) const
 
 void TurbulenceStep::declare_viscosity(tasks::StageGraph& graph)
 {
-    graph.boundary(eddy_, "walls of eddy viscosity", [this](LocalBlock b, View<double> nu) { mirror_even(sides(b), 1, nu); });
     graph.each_block(
         "eddy viscosity",
         [this](LocalBlock, View<const double> k, View<const double> epsilon, View<double> out) {
@@ -74,41 +80,58 @@ void TurbulenceStep::declare_viscosity(tasks::StageGraph& graph)
         [this](LocalBlock b, View<const double> eddy, View<const double> k, FaceView<double> ratio) {
             viscosity_on_faces(mesh_.geometry(b), sides(b), walls(b), eddy, k, ratio);
         },
-        reads(halo(eddy_, 1), k_), writes(fluid_.fields().viscosity_ratio));
+        reads(beside(eddy_), k_), writes(fluid_.fields().viscosity_ratio));
 }
 
 void TurbulenceStep::declare_before(tasks::StageGraph& graph)
 {
-    declare_viscosity(graph);
-    graph.each_block(
-        "flux that carries turbulence, old half",
-        [](LocalBlock, FaceView<const double> flux, FaceView<double> mean) { map_faces(mean, [](double f) { return 0.5 * f; }, flux); },
-        reads(fluid_.state().flux), writes(flux_));
+    graph.boundary(eddy_, "walls of eddy viscosity", [this](LocalBlock b, View<double> nu) { mirror_even(sides(b), 1, nu); });
+    if (!flux_.coupling()) declare_viscosity(graph);
+    flux_.declare_old_half(graph);
+    flux_.declare_shares(graph, share_);
 }
 
 void TurbulenceStep::declare(tasks::StageGraph& graph)
 {
     auto& f = fluid_.fields();
-    graph.each_block(
-        "flux that carries turbulence, new half",
-        [](LocalBlock, FaceView<const double> flux, FaceView<double> mean) { map_faces(mean, [](double m, double now) { return m + 0.5 * now; }, mean, flux); },
-        reads(fluid_.state().flux), updates(flux_));
+    flux_.declare_new_half(graph, FluidFlux::Grains::as_before);
     graph.each_block(
         "strain", [](LocalBlock, Vectors x, Vectors y, Vectors z, View<double> out) { strain(x, y, z, out); },
         reads(f.gradient_x, f.gradient_y, f.gradient_z), writes(produced_));
     graph.whole(
         "carry turbulence",
         [this](tasks::Lane& lane, const core::FaceField& flux, const core::VectorField& velocity, const ViscosityRatio&, const FluidClock& clock,
-               core::ScalarField&, core::ScalarField&, core::ScalarField&) { return advance(lane, flux, clock.dt, velocity); },
-        reads(flux_, fluid_.state().velocity, f.viscosity_ratio, clock_), updates(k_, epsilon_, produced_));
+               core::ScalarField&, core::ScalarField&, core::ScalarField&, core::ScalarField&) { return advance(lane, flux, clock.dt, velocity); },
+        reads(flux_.mean(), fluid_.state().velocity, f.viscosity_ratio, clock_), updates(k_, epsilon_, produced_, share_));
     graph.sink(k_);
     graph.sink(epsilon_);
+    if (flux_.coupling()) declare_viscosity(graph);
+}
+
+tasks::Job TurbulenceStep::find_viscosity(tasks::Lane& lane)
+{
+    eddy_.allocate();
+    for_blocks(lane, [&](LocalBlock b) { eddy_viscosity(fluid_.parameters().viscosity, k_.on(b), epsilon_.on(b), eddy_.on(b)); });
+    co_await halos_.fill(lane, &eddy_, core::beside);
+    for_blocks(lane, [&](LocalBlock b) {
+        mirror_even(sides(b), 1, eddy_.on(b));
+        viscosity_on_faces(mesh_.geometry(b), sides(b), walls(b), eddy_.on(b), k_.on(b), fluid_.fields().viscosity_ratio.on(b));
+    });
+}
+
+tasks::Job TurbulenceStep::find_face_shares(tasks::Lane& lane)
+{
+    co_await halos_.fill(lane, &share_, core::beside);
+    for_blocks(lane, [&](LocalBlock b) {
+        mirror_even(sides(b), 1, share_.on(b));
+        mean_on_faces(share_.on(b), face_share_.on(b));
+    });
 }
 
 tasks::Job TurbulenceStep::advance(tasks::Lane& lane, const core::FaceField& flux, double dt, const core::VectorField& velocity)
 {
     const std::array<CarriedScalar, 2> carried{{{&k_, entering_k_}, {&epsilon_, entering_epsilon_}}};
-    for_blocks(lane, [&](LocalBlock b) { map_cells(share_.on(b), [](double) { return 1.0; }, share_.on(b)); });
+    if (flux_.coupling()) co_await find_face_shares(lane);
     co_await carrier_.carry(lane, {flux, share_, dt}, carried);
     for_blocks(lane, [&](LocalBlock b) {
         form_sources(sides(b), walls(b), velocity.on(b), dt, {k_.on(b), epsilon_.on(b), produced_.on(b), share_.on(b)},
@@ -118,6 +141,7 @@ tasks::Job TurbulenceStep::advance(tasks::Lane& lane, const core::FaceField& flu
         for_blocks(lane, [&](LocalBlock b) {
             const auto spread = [nu = fluid_.parameters().viscosity, sigma](double ratio) { return nu * (1 + (ratio - 1) / sigma); };
             map_faces(diffusivity_.on(b), spread, *std::as_const(fluid_.fields()).viscosity_ratio.on(b));
+            if (flux_.coupling()) map_faces(diffusivity_.on(b), [](double d, double phi) { return d * phi; }, diffusivity_.on(b), face_share_.on(b));
         });
     };
     set_diffusivity(k_epsilon.sigma_k);

@@ -3,7 +3,7 @@
 #pragma once
 // Turbulence by the k-epsilon model beside the step of the fluid: its viscosity before, k and epsilon after.
 #include "physics/fluid/turbulence.hpp"
-#include "physics/steps/fluid_step.hpp"
+#include "physics/steps/fluid_flux.hpp"
 #include "physics/steps/scalar_carrier.hpp"
 #include "physics/steps/scalar_diffusion.hpp"
 
@@ -11,16 +11,19 @@ namespace physics {
 
 class TurbulenceStep {
 public:
-    /// Makes the fluid use the viscosity of turbulence; the fluid must outlive the step. Collective.
+    /// Makes the fluid use the viscosity of turbulence; all references must outlive the step. Collective.
+    /// @param coupling  With grains, whose place turbulence does not take; none where the fluid is alone.
     /// @throws ConfigError for a name that no boundary has, or a fluid without viscosity.
-    TurbulenceStep(const core::Mesh& mesh, FluidStep& fluid, const TurbulenceParameters& parameters);
+    TurbulenceStep(const core::Mesh& mesh, FluidStep& fluid, const TurbulenceParameters& parameters, CoupledStep* coupling = nullptr);
     TurbulenceStep(const TurbulenceStep&) = delete;
     TurbulenceStep& operator=(const TurbulenceStep&) = delete;
 
-    /// Viscosity for the step, and what is needed of the old fluxes: to be declared before the stages of the fluid.
+    /// What is needed of the old fluxes, and where the fluid is alone its viscosity: to be declared before the stages of the fluid.
     void declare_before(tasks::StageGraph& graph);
-    /// To be declared after the stages of the fluid.
+    /// To be declared where the new velocity is known. With grains the viscosity of the next step follows, for it acts on them too.
     void declare(tasks::StageGraph& graph);
+    /// Viscosity at once: to be called whenever the state was set from outside, if there are grains. Collective.
+    [[nodiscard]] tasks::Job find_viscosity(tasks::Lane& lane);
 
     [[nodiscard]] core::ScalarField& k() { return k_; }
     [[nodiscard]] const core::ScalarField& k() const { return k_; }
@@ -30,6 +33,7 @@ public:
 private:
     void declare_viscosity(tasks::StageGraph& graph);
     tasks::Job advance(tasks::Lane& lane, const core::FaceField& flux, double dt, const core::VectorField& velocity);
+    tasks::Job find_face_shares(tasks::Lane& lane);
     [[nodiscard]] WallsOfTurbulence walls(core::LocalBlock b) const;
     [[nodiscard]] const BlockWalls& sides(core::LocalBlock b) const { return fluid_.walls()[std::size_t(b)]; }
     template <class Body>
@@ -46,8 +50,10 @@ private:
     core::ScalarField k_, epsilon_;
     core::ScalarField eddy_, produced_, share_;
     core::ScalarField k_capacity_, k_source_, epsilon_capacity_, epsilon_source_, free_;
-    core::FaceField flux_, diffusivity_;
+    FluidFlux flux_;
+    core::FaceField face_share_, diffusivity_;
     tasks::Part<FluidClock> clock_;
+    tasks::HaloFiller& halos_;
     ScalarCarrier carrier_;
     ScalarDiffusion diffusion_;
 };

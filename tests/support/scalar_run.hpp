@@ -32,7 +32,7 @@ class ScalarRun {
 public:
     ScalarRun(core::MultiBlock grid, const physics::BoundaryConditions& boundaries = {},
               const core::Communicator& ranks = core::Communicator::world())
-        : ranks_(ranks), mesh_(std::move(grid), ranks_.rank(), ranks_.size()), filler_(mesh_, ranks_, core::HaloShape::full),
+        : ranks_(ranks), mesh_(std::move(grid), ranks_.rank(), ranks_.size()), filler_(mesh_, ranks_),
           walls_(physics::make_walls(mesh_, boundaries)), set_(mesh_, {{.name = "dye"}}),
           layout_(mesh_.own(), mesh_.own_cells(), 0), carrier_({mesh_, walls_, filler_}), diffusion_({mesh_, walls_, filler_}, layout_),
           flux_({"flux", "m3/s", 0, false}, mesh_.own_cells()), diffusivity_({"diffusivity", "m2/s", 0, false}, mesh_.own_cells()),
@@ -41,7 +41,7 @@ public:
         flux_.allocate();
         diffusivity_.allocate();
         source_.allocate();
-        filler_.prepare(&value(), 1);
+        filler_.prepare(&value(), core::beside);
     }
 
     void start(const ScalarFunction& dye, const VectorFunction& potential)

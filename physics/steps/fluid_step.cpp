@@ -8,6 +8,7 @@
 #include "physics/fluid/cell_loops.hpp"
 #include "physics/fluid/gradient.hpp"
 #include "physics/fluid/quasi_monotone.hpp"
+#include "physics/fluid/transposed_stress.hpp"
 
 namespace physics {
 
@@ -174,12 +175,26 @@ void FluidStep::declare_implicit_viscosity(tasks::StageGraph& graph)
 {
     if (!viscosity_system_) return;
     auto& f = fields_;
+    // What the Laplacian leaves out is known: it goes to the right-hand side, and belongs to what viscosity changes.
+    const auto add_known = [&](const char* name, core::VectorField& to) {
+        if (!f.viscosity_ratio.used()) return;
+        graph.each_block(
+            name,
+            [this](LocalBlock b, Vectors gx, Vectors gy, Vectors gz, const FaceFactors& ratio, const FluidClock& clock, FaceView<double> scratch,
+                   VectorView<double> out) {
+                const TransposedStress stress{geometry(b), walls_of(b), parameters_.viscosity, {gx, gy, gz}, *ratio};
+                add_transposed_stress(stress, clock.implicit_share() * clock.dt, scratch, out);
+            },
+            reads(beside(f.gradient_x), beside(f.gradient_y), beside(f.gradient_z), f.viscosity_ratio, clock_), writes(f.face_scratch), updates(to));
+    };
+    add_known("transposed turbulent stress", f.predicted);
     graph.whole(
         "implicit viscosity",
         [this](tasks::Lane& lane, const FluidClock& clock, const ViscosityRatio&, core::VectorField& change, core::VectorField& predicted) {
             return viscosity_system_->solve(lane, clock.implicit_share() * clock.dt * parameters_.viscosity, predicted, change);
         },
         reads(clock_, f.viscosity_ratio), updates(f.viscous_change, f.predicted));
+    add_known("change by transposed turbulent stress", f.viscous_change);
 }
 
 } // namespace physics

@@ -3,6 +3,7 @@
 // FluidStep: the viscous acceleration of a velocity that is known, with the gradients it follows from.
 #include "physics/fluid/diffusion.hpp"
 #include "physics/fluid/gradient.hpp"
+#include "physics/fluid/transposed_stress.hpp"
 #include "physics/steps/fluid_step.hpp"
 
 namespace physics {
@@ -23,6 +24,7 @@ void FluidStep::viscous_acceleration(LocalBlock b, Vectors u, const std::array<V
         diffusive_inflow(geometry(b), walls_of(b), u.component(c), gradients[std::size_t(c)], factors, {scratch, out.component(c)});
         physics::viscous_acceleration(geometry(b), parameters_.viscosity, out.component(c), out.component(c));
     }
+    if (factors) add_transposed_stress({geometry(b), walls_of(b), parameters_.viscosity, gradients, *factors}, 1.0, scratch, out);
 }
 
 void FluidStep::declare_velocity_gradients(tasks::StageGraph& graph)

@@ -54,6 +54,17 @@ TEST_CASE("boundaries have names that the grid knows, and the keys of their kind
           "7:7 an inflow needs 'velocity'\n7:25 particles beside boundaries that fluid flows through cannot be computed yet");
 }
 
+TEST_CASE("scalars have names of their own and boundaries that exist; turbulence has a speed and a viscosity")
+{
+    const auto fluid = [](const std::string& text) { return with("  water:", "  " + text + "\n  water:"); };
+    CHECK(problem_of(fluid("scalars: [ { name: dye }, { name: dye } ]")) == "6:37 the name 'dye' is taken");
+    CHECK(problem_of(fluid("scalars: [ { name: pressure } ]")) == "6:22 the name 'pressure' is taken");
+    CHECK(problem_of(fluid("scalars: [ { name: dye, entering: [ { at: inlet, value: 1 } ] } ]")).ends_with("the grid has no boundary 'inlet'"));
+    CHECK(problem_of(fluid("turbulence: { model: k-epsilon }")) == "6:3 turbulence needs 'speed' where nothing flows in");
+    CHECK(problem_of(fluid("turbulence: { model: k-omega, speed: 1 m/s }")) != "");
+    CHECK(problem_of(fluid("turbulence: { model: none }")) == "");
+}
+
 TEST_CASE("particles need contact, names of their own, and room")
 {
     CHECK(problem_of(with("contact: { stiffness: 5 kN/m }\n", "")) == "8:1 particles need 'contact'");

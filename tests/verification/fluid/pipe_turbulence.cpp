@@ -51,6 +51,35 @@ TEST_CASE("friction of a smooth pipe at Re = 41,727 agrees with the Superpipe to
     }
 }
 
+TEST_CASE("the profile is the measured one to a twentieth, and k that of the logarithmic layer")
+{
+    const auto run = developed(32, 0.04);
+    // y+ and u+ of the Superpipe.
+    constexpr std::array<std::array<double, 2>, 10> measured{{{33.2, 14.07}, {51.0, 14.91}, {79.1, 15.95}, {106.4, 16.67}, {166.6, 17.74},
+                                                              {261.7, 19.05}, {411.7, 20.59}, {614.0, 21.95}, {816.3, 23.03}, {1086, 23.65}}};
+    const auto distance = [&](core::LocalBlock b, int i, int j, int k) {
+        return (diameter / 2 - run->centre(b, i, j, k).tail<2>().norm()) * friction_speed / viscosity;
+    };
+    const double worst = run->largest([&](core::LocalBlock b, int i, int j, int k) {
+        const double y = distance(b, i, j, k);
+        for (std::size_t n = 1; n < measured.size(); ++n)
+            if (measured[n - 1][0] <= y && y <= measured[n][0]) {
+                const double share = std::log(y / measured[n - 1][0]) / std::log(measured[n][0] / measured[n - 1][0]);
+                const double expected = measured[n - 1][1] + share * (measured[n][1] - measured[n - 1][1]);
+                return run->velocity(b, i, j, k).x() / friction_speed / expected - 1;
+            }
+        return 0.0;
+    });
+    // Where production balances dissipation, k = tau / (rho C_mu^(1/2)); friction falls linearly to the axis.
+    const double uneven = run->largest([&](core::LocalBlock b, int i, int j, int k) {
+        const double y = distance(b, i, j, k), share = 1 - y / (diameter / 2 * friction_speed / viscosity);
+        return y > 60 && y < 200 ? run->turbulence().k().on(b)(i, j, k) / (friction_speed * friction_speed * share / 0.3) - 1 : 0.0;
+    });
+    MESSAGE("u+ differs by ", worst, " at most, k by ", uneven, " of that of the layer");
+    CHECK(worst < 0.05);
+    CHECK(uneven < 0.1);
+}
+
 TEST_CASE("what a steady turbulent flow is does not depend on the time step, and its momentum is all in the books")
 {
     const double slow = mean_velocity(*developed(16, 0.08)), fast = mean_velocity(*developed(16, 0.02));

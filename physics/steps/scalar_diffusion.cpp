@@ -108,7 +108,6 @@ tasks::Job ScalarDiffusion::form_right(tasks::Lane& lane, core::ScalarField& q)
 
 tasks::Job ScalarDiffusion::solve(tasks::Lane& lane, DiffusionEquation equation, core::ScalarField& q)
 {
-    constexpr double tolerance = 1e-12; // of the amounts in the cells, in the root mean square
     equation_ = &equation;
     products_ = 0;
     co_await choose_share(lane);
@@ -122,7 +121,7 @@ tasks::Job ScalarDiffusion::solve(tasks::Lane& lane, DiffusionEquation equation,
     KrylovOptions options;
     options.relative = 1e-14; // where there is nothing yet
     for (const double s : sums) options.absolute += s;
-    options.absolute = tolerance * std::sqrt(options.absolute);
+    options.absolute = equation.tolerance * std::sqrt(options.absolute);
     options.from_zero = true;
     options.unknown = "scalar";
     std::fill(solution_.begin(), solution_.end(), 0.0);

@@ -14,6 +14,7 @@ struct DiffusionEquation {
     const core::ScalarField& capacity;  ///< w + dt s [-]
     const core::ScalarField& source;    ///< of the equation's right-hand side, without diffusion [unit of q]
     double dt;                          ///< [s]
+    double tolerance = 1e-12;           ///< of the residual, relative to capacity times q, in the root mean square
     const core::ScalarField* free = nullptr; ///< 0 where q' = source / capacity whatever diffuses, else 1; none: 1 everywhere
 };
 

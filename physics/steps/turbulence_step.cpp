@@ -144,10 +144,11 @@ tasks::Job TurbulenceStep::advance(tasks::Lane& lane, const core::FaceField& flu
             if (flux_.coupling()) map_faces(diffusivity_.on(b), [](double d, double phi) { return d * phi; }, diffusivity_.on(b), face_share_.on(b));
         });
     };
+    constexpr double tolerance = 1e-8; // no amount is to be kept here; epsilon is a thousand times larger at walls than far from them
     set_diffusivity(k_epsilon.sigma_k);
-    co_await diffusion_.solve(lane, {diffusivity_, k_capacity_, k_source_, dt}, k_);
+    co_await diffusion_.solve(lane, {diffusivity_, k_capacity_, k_source_, dt, tolerance}, k_);
     set_diffusivity(k_epsilon.sigma_epsilon);
-    co_await diffusion_.solve(lane, {diffusivity_, epsilon_capacity_, epsilon_source_, dt, &free_}, epsilon_);
+    co_await diffusion_.solve(lane, {diffusivity_, epsilon_capacity_, epsilon_source_, dt, tolerance, &free_}, epsilon_);
     for_blocks(lane, [&](LocalBlock b) { // what skewed cells may take too much of
         map_cells(k_.on(b), [](double q) { return std::max(q, least_turbulence.k); }, k_.on(b));
         map_cells(epsilon_.on(b), [](double q) { return std::max(q, least_turbulence.epsilon); }, epsilon_.on(b));

@@ -26,8 +26,8 @@ inline constexpr std::array<std::string_view, 4> axis_words{"axial", "x", "y", "
 using physics::BoundaryKind;
 inline constexpr std::array<std::string_view, 6> boundary_kind_words{"wall", "slip", "symmetry", "inflow", "outflow", "pressure"};
 
-enum class Arrangement { random, lattice };
-inline constexpr std::array<std::string_view, 2> arrangement_words{"random", "lattice"};
+enum class Arrangement { random, lattice, packed };
+inline constexpr std::array<std::string_view, 3> arrangement_words{"random", "lattice", "packed"};
 
 enum class ContactLaw { linear };
 inline constexpr std::array<std::string_view, 1> contact_law_words{"linear"};
@@ -201,6 +201,7 @@ struct Initial {
     Arrangement arrangement = Arrangement::random;
     std::optional<core::Vec3> low, high;         ///< Corners of the region of the centres [m]; the whole domain without them.
     core::Vec3 velocity = core::Vec3::Zero();    ///< [m/s]
+    double spacing = 1.0; ///< packed: distance of neighbours in diameters; below 1 they press on each other.
     bool operator==(const Initial&) const = default;
 };
 

@@ -113,10 +113,13 @@ static void describe(Schema& s, Gravity& p)
 
 static void describe(Schema& s, Initial& p)
 {
-    s.value("arrangement", "Where the particles are at the start", choice_of(p.arrangement, arrangement_words));
+    s.value("arrangement", "Where the particles are at the start: at random; on a cubic lattice; packed in face-centred cubes from wall to wall, "
+            "that of the first species for all", choice_of(p.arrangement, arrangement_words));
     s.value("low", p.low, "m", "Low corner of the region of their centres; without it, all of the domain");
     s.value("high", p.high, "m", "High corner of the region of their centres; without it, all of the domain");
     s.value("velocity", p.velocity, "m/s", "Their velocity");
+    s.value("spacing", p.spacing, "1", "Packed: distance of neighbours in largest diameters, as near as whole cubes fit; below 1 a bed is squeezed "
+            "and holds itself", positive);
 }
 
 static void describe(Schema& s, Species& p)

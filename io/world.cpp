@@ -53,6 +53,7 @@ World::World(const Scene& scene, core::MultiBlock blocks, const core::Communicat
 void World::make_grains()
 {
     grains_.emplace(make_dynamics(scene_, mesh_));
+    contact_step_ = grains_->step();
     const physics::OwnerOf owner_of = [this](const core::Vec3& x) { return this->owner_of(x); };
     add_initial_particles(scene_, owner_of, ranks_.rank(), *grains_);
     stepper_.emplace(*grains_, owner_of, ranks_.rank(), ranks_.size());
@@ -94,7 +95,7 @@ void World::make_company()
 
 double World::settling_left() const
 {
-    return grains_ ? std::max(0.0, std::ceil(scene_.run.settle / grains_->step()) - settled_) : 0.0;
+    return grains_ ? std::max(0.0, std::ceil(scene_.run.settle / contact_step_) - settled_) : 0.0;
 }
 
 void World::settle_batch(const core::Team& team)
@@ -105,6 +106,7 @@ void World::settle_batch(const core::Team& team)
     const double batch = std::max(20.0, std::floor(1e7 / double(std::max<std::int64_t>(grains, 1))));
     const int sub_steps = int(std::min(settling_left(), batch));
     if (sub_steps == 0) return;
+    set_sub_step(contact_step_);
     settle_grains(*stepper_, settling_gravity(scene_), sub_steps, team, ranks_);
     settled_ += sub_steps;
     require_finite(*this);
@@ -112,6 +114,7 @@ void World::settle_batch(const core::Team& team)
 
 void World::settle(const core::Team& team)
 {
+    if (settling_left() > 0) set_sub_step(contact_step_);
     while (settling_left() > 0) {
         const int sub_steps = int(std::min(settling_left(), 1e9));
         settle_grains(*stepper_, settling_gravity(scene_), sub_steps, team, ranks_);

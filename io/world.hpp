@@ -104,6 +104,10 @@ private:
     void put_back();
     void initialise();
     [[nodiscard]] physics::TimeStepLimit limit_of_step() const;
+    /// Divides a step of at most dt [s] into sub-steps of the grains: whole ones that contacts ask for, or a single shorter one.
+    /// @returns its length [s].
+    double divided(double dt);
+    void set_sub_step(double step);
 
     Scene scene_;
     core::Communicator ranks_;
@@ -126,10 +130,12 @@ private:
     std::string mode_reason_;
     std::map<physics::Mode, std::int64_t> steps_of_mode_;
     std::set<physics::Mode> told_modes_; ///< to the user
+    bool told_of_soft_springs_ = false;
     std::map<physics::Mode, OtherMode> others_;
     tasks::ExecutorOptions other_options_{.kind = "serial"};
     double settled_ = 0;
     int sub_steps_ = 0;
+    double contact_step_ = 0; ///< the longest sub-step of the grains that resolves their contacts [s]
     std::string limit_name_; ///< of the last step
     double shortening_ = 1.0; ///< of the step that is being tried again
     StateCopy before_;

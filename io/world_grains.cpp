@@ -5,6 +5,7 @@
 #include "core/grid/surface.hpp"
 #include "io/grid_builder.hpp"
 #include "io/physics_builder.hpp"
+#include "physics/coupling/bed_stiffness.hpp"
 #include "physics/particles/insertion.hpp"
 #include "physics/particles/time_step.hpp"
 #include <algorithm>
@@ -75,6 +76,19 @@ physics::MagnusLaw magnus_law(MagnusLaw chosen)
 
 bool wanted(Switch choice, bool otherwise) { return choice == Switch::automatic ? otherwise : choice == Switch::on; }
 
+std::vector<core::Sphere> placed(const Scene& scene, const core::Domain& domain)
+{
+    const Initial& initial = scene.particles.front().initial;
+    const auto groups = groups_of(scene, domain);
+    const auto seed = std::uint64_t(scene.run.random_seed);
+    switch (initial.arrangement) {
+    case Arrangement::random: return physics::place_at_random(domain, primitive_walls(scene.grid), groups, seed);
+    case Arrangement::lattice: return physics::place_on_lattice(domain, primitive_walls(scene.grid), groups, seed);
+    case Arrangement::packed: return physics::place_packed(domain, groups, initial.spacing, seed);
+    }
+    return {};
+}
+
 } // namespace
 
 physics::ParticleDynamics make_dynamics(const Scene& scene, const core::Mesh& mesh)
@@ -89,9 +103,7 @@ physics::ParticleDynamics make_dynamics(const Scene& scene, const core::Mesh& me
 
 void add_initial_particles(const Scene& scene, const physics::OwnerOf& owner_of, int rank, physics::ParticleDynamics& dynamics)
 {
-    const bool random = scene.particles.front().initial.arrangement == Arrangement::random;
-    const auto place = random ? physics::place_at_random : physics::place_on_lattice;
-    const auto spheres = place(dynamics.domain(), primitive_walls(scene.grid), groups_of(scene, dynamics.domain()), std::uint64_t(scene.run.random_seed));
+    const auto spheres = placed(scene, dynamics.domain());
     for (const core::Sphere& sphere : spheres)
         if (owner_of(sphere.position) == rank) {
             dynamics.particles.add(sphere);
@@ -109,6 +121,19 @@ core::Vec3 settling_gravity(const Scene& scene)
         volume += s.count * mass_of(s) / s.density;
     }
     return (1 - scene.fluid->material.density * volume / mass) * gravity;
+}
+
+double bed_stiffness(const Scene& scene, const core::Domain& domain, double grains)
+{
+    double volume = 0, count = 0, smallest = std::numeric_limits<double>::infinity();
+    for (const Species& s : scene.particles) {
+        count += s.count;
+        volume += s.count * mass_of(s) / s.density;
+        smallest = std::min(smallest, s.diameter);
+    }
+    const double layers = count > 0 ? physics::bed_layers(domain, gravity_of(scene), grains * volume / count, smallest) : 1.0;
+    const double normal = scene.contact->stiffness;
+    return physics::bed_stiffness(physics::layer_stiffness(normal, scene.contact->tangential_ratio * normal), layers);
 }
 
 physics::CouplingParameters coupling_parameters(const Scene& scene)

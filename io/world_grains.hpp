@@ -18,6 +18,10 @@ void add_initial_particles(const Scene& scene, const physics::OwnerOf& owner_of,
 /// Gravity less buoyancy of the mean particle density: the weight under which a bed settles before the fluid is there [m/s2].
 [[nodiscard]] core::Vec3 settling_gravity(const Scene& scene);
 
+/// How stiff a bed of all grains is as a whole, per grain [N/m].
+/// @param grains  Number of all ranks: an exact one, by which all ranks choose alike.
+[[nodiscard]] double bed_stiffness(const Scene& scene, const core::Domain& domain, double grains);
+
 /// @pre scene.fluid and particles
 [[nodiscard]] physics::CouplingParameters coupling_parameters(const Scene& scene);
 

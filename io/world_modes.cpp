@@ -3,18 +3,19 @@
 // By which coupling mode a World steps, and why.
 #include "core/base/error.hpp"
 #include "io/world.hpp"
+#include "io/world_grains.hpp"
 
 namespace io {
 
 /// Extremes of all ranks, for steps of `dt` [s].
 physics::StabilityNumbers World::stability(double dt) const
 {
-    const physics::StabilityNumbers own = coupling_->stability(dt);
-    std::array greatest{own.stiffness, own.loading, own.amplification, own.solid_fraction};
     double grains = double(grains_->particles.owned);
-    ranks_.max(greatest);
     ranks_.sum(std::span(&grains, 1));
-    return {greatest[0], greatest[1], greatest[2], greatest[3], grains * sub_steps_ / double(mesh_.total_cells())};
+    const physics::StabilityNumbers own = coupling_->stability(dt, bed_stiffness(scene_, grains_->domain(), grains));
+    std::array greatest{own.stiffness, own.loading, own.amplification, own.solid_fraction, own.softness};
+    ranks_.max(greatest);
+    return {greatest[0], greatest[1], greatest[2], greatest[3], grains * sub_steps_ / double(mesh_.total_cells()), greatest[4]};
 }
 
 /// What the graph is made for, and other graphs only on demand.
@@ -31,8 +32,17 @@ void World::plan_mode()
 physics::Mode World::choose_mode()
 {
     const auto step = clock().step;
-    const physics::ModeChoice choice = physics::mode_of_step(asked_mode_, stability(clock().dt), step);
+    const physics::StabilityNumbers numbers = stability(clock().dt);
+    const physics::ModeChoice choice = physics::mode_of_step(asked_mode_, numbers, step);
     mode_reason_ = choice.reason;
+    coupling_->bed_gives_way = physics::gives_way(numbers.stiffness * numbers.loading, numbers.softness);
+    if (coupling_->bed_gives_way && !told_of_soft_springs_) {
+        told_of_soft_springs_ = true;
+        const double enough = scene_.contact->stiffness * numbers.softness / physics::swaying_softness;
+        warnings_.push_back(core::text("springs are soft against drag, K/(k dt) = ", numbers.softness, " where ", physics::swaying_softness,
+                                       " holds a bed: it goes with the fluid, and grains resist less what flows between them; for beds that "
+                                       "hold, make contact.stiffness ", enough, " N/m"));
+    }
     if (step > 0 && choice.mode != asked_mode_ && told_modes_.insert(choice.mode).second) { // it may come and go
         const bool safer = choice.mode == physics::Mode::iterated;
         (safer ? warnings_ : notes_).push_back(core::text("coupling in step ", step, " and wherever else it is needed: ", choice.reason));

@@ -44,18 +44,28 @@ double World::next_step()
     if (!fluid_) {
         const auto wanted = scene_.run.time_step;
         limit_name_ = wanted ? "time_step of the scene" : "batch of sub-steps";
-        sub_steps_ = wanted ? std::max(1, int(std::lround(*wanted / grains_->step()))) : int(dry_batch * shortening_);
-        return sub_steps_ * grains_->step();
+        return divided(wanted.value_or(int(dry_batch * shortening_) * contact_step_));
     }
     const physics::TimeStepLimit limit = limit_of_step();
     limit_name_ = limit.binding;
     const double dt = limit.dt;
     if (!grains_) return dt;
     constexpr double most_sub_steps = 1e9;
-    core::require<core::ConfigError>(dt < most_sub_steps * grains_->step(),
-                                     core::text("a step of ", dt, " s would need ", dt / grains_->step(), " sub-steps of the grains, of ", grains_->step(),
+    core::require<core::ConfigError>(dt < most_sub_steps * contact_step_,
+                                     core::text("a step of ", dt, " s would need ", dt / contact_step_, " sub-steps of the grains, of ", contact_step_,
                                                 " s each: contacts this stiff, or grains this light, cannot be computed; look at contact.stiffness"));
-    sub_steps_ = std::max(1, int(std::floor(dt / grains_->step() * (1 + 1e-12))));
+    return divided(dt);
+}
+
+void World::set_sub_step(double step)
+{
+    if (step != grains_->step()) grains_->set_step(step);
+}
+
+double World::divided(double dt)
+{
+    sub_steps_ = std::max(1, int(std::floor(dt / contact_step_ * (1 + 1e-12))));
+    set_sub_step(std::min(contact_step_, dt));
     return sub_steps_ * grains_->step();
 }
 

@@ -15,6 +15,18 @@ namespace physics {
     return applied_squared > 0.0 ? std::clamp(-contact_dot_applied / applied_squared, 0.0, 1.0) : 0.0;
 }
 
+/// The same of what changed between two passes over one step: how far a grain gives way to a change, whatever it carries. Springs
+/// may carry all of a load and yet let a grain go with the fluid through the whole step, when they are soft against its drag; a
+/// grain that slides carries its part and takes no more.
+/// @param share             contact_share() of the second pass.
+/// @param dot, squared      As there, of the changes.
+/// @param applied_squared   Of the second pass: changes below round-off of the impulses say nothing, `share` remains.
+[[nodiscard]] inline double changed_share(double share, double dot, double squared, double applied_squared)
+{
+    constexpr double round_off = 1e-20; // of squares
+    return squared > round_off * applied_squared ? contact_share(dot, squared) : share;
+}
+
 /// Yield in the predictor: a held grain takes the full drag. Too stiff only lags, too soft is unstable for stiff drag.
 [[nodiscard]] inline double predictor_yield(double hold) { return 1.0 - hold; }
 

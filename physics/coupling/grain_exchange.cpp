@@ -162,16 +162,23 @@ core::Vec3 GrainExchange::couple(const core::ParticleSet& grains, int g) const
     return gained - column(grains, wet_.twist, g);
 }
 
-double GrainExchange::hold_of(const core::ParticleSet& grains, int g) const
+GrainImpulses GrainExchange::impulses_of(const core::ParticleSet& grains, int g) const
 {
     const core::Vec3 contact = column(grains, wet_.impulse, g);
     const core::Vec3 gained = grains.mass[std::size_t(g)] * (grains.velocity_of(g) - column(grains, columns_.velocity_before, g));
-    const core::Vec3 applied = gained - contact;
-    return contact_share(contact.dot(applied), applied.squaredNorm());
+    return {contact, gained - contact};
 }
 
-void GrainExchange::answer(const core::ParticleSet& grains, const GrainTable& told, double dt, GrainTable& deposits) const
+std::vector<GrainImpulses> GrainExchange::impulses(const core::ParticleSet& grains) const
 {
+    std::vector<GrainImpulses> all(std::size_t(grains.owned));
+    for (int g = 0; g < grains.owned; ++g) all[std::size_t(g)] = impulses_of(grains, g);
+    return all;
+}
+
+void GrainExchange::answer(const core::ParticleSet& grains, const Told& told, GrainTable& deposits) const
+{
+    const double dt = told.dt;
     deposits.resize(grain_sums);
     for (auto& d : deposits) d.resize(std::size_t(grains.owned));
     for (int g = 0; g < grains.owned; ++g) {
@@ -180,11 +187,11 @@ void GrainExchange::answer(const core::ParticleSet& grains, const GrainTable& to
         const core::Vec3 velocity = grains.velocity_of(g);
         const core::Vec3 impulse = coupling.mass * (velocity - column(grains, columns_.velocity_before, g)) -
                                    dt * column(grains, columns_.known_force, g) - column(grains, wet_.impulse, g);
-        const double hold = hold_of(grains, g);
+        const double hold = told.holds[g];
         const GrainResponse p = response_to_velocity(coupling, predictor_yield(hold));
         const GrainResponse q = response_to_pressure(coupling, projection_yield(hold, coupling.drag / coupling.mass));
         const double held = held_drag(p, hold);
-        const core::Vec3 around = impulse + p.added * column(grains, columns_.untold, g) - held * at(told, view_velocity, g);
+        const core::Vec3 around = impulse + p.added * column(grains, columns_.untold, g) - held * at(told.views, view_velocity, g);
         deposits[sum_solid][k] = coupling.volume;
         for (std::size_t a = 0; a < 3; ++a) {
             deposits[sum_flux + a][k] = coupling.volume * velocity[int(a)];
@@ -201,19 +208,22 @@ void GrainExchange::answer(const core::ParticleSet& grains, const GrainTable& to
     }
 }
 
-void GrainExchange::owe(core::ParticleSet& grains, const GrainTable& told, const GrainTable& news, double dt) const
+void GrainExchange::owe(core::ParticleSet& grains, const Told& told, const GrainTable& news) const
 {
+    const double dt = told.dt;
     for (int g = 0; g < grains.owned; ++g) {
         const GrainCoupling coupling = coupling_of(grains, g, dt);
-        const double hold = hold_of(grains, g);
+        const double hold = told.holds[g];
         const GrainResponse p = response_to_velocity(coupling, predictor_yield(hold));
         const GrainResponse q = response_to_pressure(coupling, projection_yield(hold, coupling.drag / coupling.mass));
-        const auto change = [&](std::size_t view) -> core::Vec3 { return at(news, view, g) - at(told, view, g); };
-        const core::Vec3 force_new = at(news, view_pressure_force, g) + at(told, view_stress, g), velocity_change = change(view_velocity);
+        const auto change = [&](std::size_t view) -> core::Vec3 { return at(news, view, g) - at(told.views, view, g); };
+        const core::Vec3 force_new = at(news, view_pressure_force, g) + at(told.views, view_stress, g), velocity_change = change(view_velocity);
         const core::Vec3 force_change = change(view_pressure_force), projection = at(news, news_projection, g);
         const core::Vec3 predictor = velocity_change - projection, miss = dt * change(view_acceleration) - velocity_change + column(grains, columns_.untold, g);
         const core::Vec3 used = column(grains, columns_.force_used, g);
-        grains.columns[std::size_t(columns_.hold)][std::size_t(g)] = hold;
+        const GrainImpulses received = impulses_of(grains, g);
+        grains.columns[std::size_t(columns_.hold)][std::size_t(g)] =
+            contact_share(received.contact.dot(received.applied), received.applied.squaredNorm());
         core::Vec3 owed = column(grains, columns_.owed, g) - column(grains, columns_.delivered, g);
         for (int a = 0; a < 3; ++a)
             owed[a] += owed_impulse({used[a], force_new[a], force_change[a], predictor[a], projection[a], miss[a]}, coupling.volume, p, q, dt);

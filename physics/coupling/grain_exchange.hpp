@@ -4,7 +4,7 @@
 // The grains' side of the exchange: the load that the fluid puts on each grain before the sub-steps, what each grain did
 // with it, and what it is still owed afterwards (steps 2, 3 and 6 of response.hpp).
 #include "physics/coupling/exchange_fields.hpp"
-#include "physics/coupling/grain_places.hpp"
+#include "physics/coupling/grain_holds.hpp"
 #include "physics/coupling/parameters.hpp"
 #include "physics/particles/newton.hpp"
 
@@ -60,14 +60,23 @@ public:
     /// becomes the mean of what it was and what the new slip asks for.
     void revise(core::ParticleSet& grains, const GrainTable& views, std::span<const double> fraction) const;
 
+    /// Step 3: what contacts and all else did to each owned grain.
+    [[nodiscard]] std::vector<GrainImpulses> impulses(const core::ParticleSet& grains) const;
+
+    /// What grains were told and did.
+    struct Told {
+        const GrainTable& views;  ///< of the step or pass, sampled where the grains are now
+        const GrainHolds& holds;
+        double dt; ///< [s]
+    };
     /// Step 3: what each grain deposits; grain_sums columns.
-    /// @param told  Columns of the velocity that the grains were told, sampled where they are now.
-    void answer(const core::ParticleSet& grains, const GrainTable& told, double dt, GrainTable& deposits) const;
+    /// @param told  Of the views the velocity suffices.
+    void answer(const core::ParticleSet& grains, const Told& told, GrainTable& deposits) const;
 
     /// Step 6: what each grain is owed, with what has not been delivered. All columns are sampled at the new positions.
-    /// @param told  Of the views: what the step began with. Filter and sampling are linear: changes are differences of `news` and `told`.
+    /// @param told  What the last pass began with. Filter and sampling are linear: changes are differences of `news` and `told`.
     /// @param news  grain_news columns.
-    void owe(core::ParticleSet& grains, const GrainTable& told, const GrainTable& news, double dt) const;
+    void owe(core::ParticleSet& grains, const Told& told, const GrainTable& news) const;
 
     /// K / m, K that of the last step or, before the first, of a grain that settles in the fluid fraction `fraction` [1/s].
     [[nodiscard]] double drag_rate(const core::ParticleSet& grains, int g, double fraction) const;
@@ -81,7 +90,7 @@ private:
     [[nodiscard]] GrainCoupling coupling_of(const core::ParticleSet& grains, int g, double dt) const;
     [[nodiscard]] double drag_at(const core::ParticleSet& grains, int g, const GrainTable& views, double fraction) const;
     [[nodiscard]] core::Vec3 tell(core::ParticleSet& grains, int g, const core::Vec3& acceleration, double dt) const;
-    [[nodiscard]] double hold_of(const core::ParticleSet& grains, int g) const;
+    [[nodiscard]] GrainImpulses impulses_of(const core::ParticleSet& grains, int g) const;
     /// What material_derivative adds to the pressure force, half of it from the step before.
     [[nodiscard]] core::Vec3 extra_force(core::ParticleSet& grains, int g, const core::Vec3& per_volume) const;
     [[nodiscard]] core::Vec3 column(const core::ParticleSet& grains, int first, int g) const;

@@ -16,9 +16,18 @@ constexpr double stiff_for_auto = 5.0;
 constexpr double stiff_for_pipelined = 50.0;
 constexpr double quiet_amplification = 0.3;
 constexpr double dilute = 0.1;
+// A bed whose springs are so soft that drag carries it along through the whole step sways with its fluid like a mass on a spring. In
+// a single pass each takes the other for what it was at the start of the step; that feeds the sway by (w dt)^2 / 4 in each step,
+// with w^2 = k / (fluid mass of a grain), and drag takes k dt / (2 K) of it: unstable from b M = 2 on, and measured from 1 on where
+// what is owed comes later. Stiffer springs, K / (k dt) < 0.3, are at rest within the step.
+constexpr double swaying_exchange = 0.5;
+constexpr double swaying_softness_coarse = 0.05;
+constexpr double swaying_exchange_iterated = 2.0; // of three passes with the hold by the load; measured: 3
 // A grain's sub-step takes about a tenth of a microsecond, a cell's step 1.4: from here on the grains take as long as half of the
 // fluid, and not to wait for them is worth a second sum over them.
 constexpr double long_wait = 7.0;
+
+bool sways(const StabilityNumbers& n, double softness) { return n.stiffness * n.loading > swaying_exchange && n.softness > softness; }
 
 bool concurrent_holds(const StabilityNumbers& n)
 {
@@ -29,8 +38,9 @@ bool concurrent_holds(const StabilityNumbers& n)
 
 bool holds(Mode mode, const StabilityNumbers& n)
 {
-    if (mode == Mode::concurrent) return concurrent_holds(n);
-    return mode == Mode::iterated || n.stiffness <= stiff_for_pipelined;
+    if (mode == Mode::iterated) return true;
+    if (sways(n, mode == Mode::coarse ? swaying_softness_coarse : swaying_softness)) return false;
+    return mode == Mode::concurrent ? concurrent_holds(n) : n.stiffness <= stiff_for_pipelined;
 }
 
 double added_mass_amplification(double phi, double density_ratio, double added_mass_coefficient)
@@ -38,6 +48,8 @@ double added_mass_amplification(double phi, double density_ratio, double added_m
     const double added = added_mass_coefficient;
     return (1.0 - phi) * (1.0 / phi + added / (phi * phi) + added / phi) / (density_ratio + added);
 }
+
+bool gives_way(double exchange, double softness) { return exchange > swaying_exchange_iterated && softness > swaying_softness; }
 
 double coupling_number(const StabilityNumbers& numbers)
 {
@@ -58,10 +70,15 @@ const char* name(Mode mode)
 ModeChoice choose_mode(const StabilityNumbers& n)
 {
     const std::string numbers = core::text("b = ", n.stiffness, ", M = ", n.loading, ", A = ", n.amplification,
-                                           ", C = ", n.solid_fraction, ", b M/(1+M) = ", coupling_number(n), ", sub-steps of grains per cell ",
+                                           ", C = ", n.solid_fraction, ", K/(k dt) = ", n.softness, ", b M/(1+M) = ", coupling_number(n), ", sub-steps of grains per cell ",
                                            n.grain_work);
     if (n.stiffness > stiff_for_auto) {
         return {Mode::iterated, core::text("iterated: drag is too stiff for one pass (b > ", stiff_for_auto, "); ", numbers)};
+    }
+    if (sways(n, swaying_softness)) {
+        return {Mode::iterated, core::text("iterated: the springs of the bed are too soft against drag for one pass (K/(k dt) > ", swaying_softness,
+                                           " and b M > ", swaying_exchange, "), it would sway ever more; shorter steps or a higher "
+                                           "contact.stiffness need one; ", numbers)};
     }
     if (!concurrent_holds(n) || n.solid_fraction >= dilute) {
         return {Mode::pipelined, core::text("pipelined: drag is soft enough for one pass, but so many grains press on each other and on the fluid that "

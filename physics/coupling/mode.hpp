@@ -26,6 +26,7 @@ struct StabilityNumbers {
     double amplification = 0.0; ///< A of naive lagging, added_mass_amplification() [-]
     double solid_fraction = 0.0; ///< C, the largest [-]
     double grain_work = 0.0;     ///< sub-steps of grains per cell of the fluid: what a fluid lane would wait for [-]
+    double softness = 0.0;       ///< K / (k dt), the largest, k that of a bed as a whole per grain (bed_stiffness.hpp) [-]
 };
 
 struct ModeChoice {
@@ -39,6 +40,13 @@ struct ModeChoice {
 
 /// b M / (1 + M): how often the mixture could exchange its slip within a step.
 [[nodiscard]] double coupling_number(const StabilityNumbers& numbers);
+
+/// Does a bed go with its fluid through a step so that repeated passes must see how far it gives way? (response.hpp, soft springs)
+/// @param exchange  b M.   @param softness  StabilityNumbers::softness.
+[[nodiscard]] bool gives_way(double exchange, double softness);
+
+/// Softness from which on that may be so.
+inline constexpr double swaying_softness = 0.3;
 
 [[nodiscard]] const char* name(Mode mode);
 

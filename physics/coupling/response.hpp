@@ -49,8 +49,11 @@
 // `coarse` takes C, v, J, h of 3-5 from a DEM pass of longer sub-steps, `concurrent` from free flight held back by h of the
 // last step, at the places n: nothing in the fluid lane waits for the grains.
 //
-// Limit: contacts must be stiff against drag. A held grain that its drag moves on its springs by more than the fluid goes in a
-// step, K / (k dt) > 1 with k the stiffness of the bed as a whole, makes the bed and its fluid sway ever more, in every mode.
+// Soft springs: a held grain that its drag carries along on its springs through the whole step, K / (k dt) > 0.3 with k the stiffness
+// of the bed as a whole, moves with the fluid like a mass on a spring. One pass feeds that sway where b M > 0.5 (mode.cpp): then
+// `auto` iterates. A hold by the load would be far too stiff for it, and where b M > 2 three passes do not make up for that: from the
+// second pass on the hold is then that of what changed since the pass before (changed_share), which a bed that is truly locked has
+// too. The price: what the filter hides of the flow is held back less (held_drag), by k dt / (2 K); the user is warned.
 //
 // Why it is stable: the predictor must not be softer than the truth (it over-corrects drag), the projection not stiffer (it
 // over-corrects pressure); hence two holds. Grain by grain, because a cell of held and free grains is neither.

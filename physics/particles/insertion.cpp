@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numbers>
 #include <numeric>
 
 namespace physics {
@@ -95,6 +96,48 @@ double largest_radius(const std::vector<Group>& groups)
     return largest;
 }
 
+/// Numbers of all spheres, in random order.
+std::vector<std::size_t> shuffled(std::size_t count, std::uint64_t seed)
+{
+    std::vector<std::size_t> order(count);
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return core::random_uniform(seed, std::int64_t(a), order_draw)[0] < core::random_uniform(seed, std::int64_t(b), order_draw)[0];
+    });
+    return order;
+}
+
+bool inside(const Region& region, const core::Vec3& x)
+{
+    return (x.array() >= region.low.array()).all() && (x.array() <= region.high.array()).all();
+}
+
+void require_all_placed(std::size_t placed, std::size_t wanted)
+{
+    core::require<core::ConfigError>(placed == wanted, core::text("a lattice has room for ", placed, " of ", wanted,
+                                                                  " particles: use fewer or smaller ones, or a larger region"));
+}
+
+/// Layers of face-centred cubes along an axis: half an edge apart.
+struct Layers {
+    int count;
+    double first, gap; ///< [m]
+    [[nodiscard]] double at(int layer) const { return first + layer * gap; }
+};
+
+Layers layers_of(const core::Domain& domain, int axis, double diameter, double spacing)
+{
+    const double half_edge = spacing * diameter / std::numbers::sqrt2, size = domain.size[axis];
+    if (domain.periodic[std::size_t(axis)]) {
+        const int count = 2 * std::max(1, int(std::lround(0.5 * size / half_edge)));
+        return {count, 0.5 * size / count, size / count};
+    }
+    // Four neighbours push with the overlap (1 - spacing) d each, across a layer by its share 1 / sqrt 2; walls do not pull.
+    const double clear = (0.5 - 2.0 * std::numbers::sqrt2 * std::max(0.0, 1.0 - spacing)) * diameter, between = std::max(0.0, size - 2.0 * clear);
+    const int gaps = int(std::lround(between / half_edge));
+    return {gaps + 1, gaps > 0 ? clear : 0.5 * size, gaps > 0 ? between / gaps : 0.0};
+}
+
 } // namespace
 
 double clearance(const std::vector<Wall>& walls, const core::Vec3& centre, double radius)
@@ -133,11 +176,7 @@ std::vector<core::Sphere> place_on_lattice(const core::Domain& domain, const std
                                            std::uint64_t seed)
 {
     const auto all = wanted(groups);
-    std::vector<std::size_t> order(all.size());
-    std::iota(order.begin(), order.end(), std::size_t(0));
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-        return core::random_uniform(seed, std::int64_t(a), order_draw)[0] < core::random_uniform(seed, std::int64_t(b), order_draw)[0];
-    });
+    const auto order = shuffled(all.size(), seed);
     const double radius = largest_radius(groups), edge = 2.02 * radius;
     core::Index3 count;
     for (int a = 0; a < 3; ++a) count[a] = std::max(1, int(domain.size[a] / edge));
@@ -148,8 +187,7 @@ std::vector<core::Sphere> place_on_lattice(const core::Domain& domain, const std
         core::Vec3 x((i + 0.5) * domain.size.x() / count.i, (j + 0.5) * domain.size.y() / count.j, (k + 0.5) * domain.size.z() / count.k);
         const auto& [sphere, region] = all[order[next]];
         if (clearance(walls, x, radius) < 0.0) return;
-        for (int a = 0; a < 3; ++a)
-            if (x[a] < region.low[a] || x[a] > region.high[a]) return;
+        if (!inside(region, x)) return;
         // A little off the lattice, so that columns of particles do not stand on each other's heads.
         const auto u = core::random_uniform(seed, sphere.id, order_draw + 1);
         auto& place = spheres[order[next]];
@@ -157,8 +195,37 @@ std::vector<core::Sphere> place_on_lattice(const core::Domain& domain, const std
         place.position = x + 0.005 * radius * core::Vec3(u[0] - 0.5, u[1] - 0.5, u[2] - 0.5);
         ++next;
     });
-    core::require<core::ConfigError>(next == order.size(), core::text("a lattice has room for ", next, " of ", order.size(),
-                                                                      " particles: use fewer or smaller ones, or a larger region"));
+    require_all_placed(next, order.size());
+    return spheres;
+}
+
+std::vector<core::Sphere> place_packed(const core::Domain& domain, const std::vector<Group>& groups, double spacing, std::uint64_t seed)
+{
+    const auto all = wanted(groups);
+    const auto order = shuffled(all.size(), seed);
+    const double diameter = 2.0 * largest_radius(groups);
+    const std::array<Layers, 3> layers{layers_of(domain, 0, diameter, spacing), layers_of(domain, 1, diameter, spacing),
+                                       layers_of(domain, 2, diameter, spacing)};
+    std::size_t up = 0;
+    while (up < 2 && domain.periodic[up]) ++up;
+    const std::size_t across = (up + 1) % 3, along = (up + 2) % 3;
+    std::vector<core::Sphere> spheres(all.size());
+    std::size_t next = 0;
+    for (int k = 0; k < layers[up].count; ++k)
+        for (int j = 0; j < layers[across].count; ++j)
+            for (int i = 0; i < layers[along].count && next < order.size(); ++i) {
+                if ((i + j + k) % 2 != 0) continue;
+                core::Vec3 x;
+                x[int(up)] = layers[up].at(k);
+                x[int(across)] = layers[across].at(j);
+                x[int(along)] = layers[along].at(i);
+                const auto& [sphere, region] = all[order[next]];
+                if (!inside(region, x)) continue;
+                spheres[order[next]] = sphere;
+                spheres[order[next]].position = x;
+                ++next;
+            }
+    require_all_placed(next, order.size());
     return spheres;
 }
 

@@ -36,4 +36,10 @@ struct Group {
 [[nodiscard]] std::vector<core::Sphere> place_on_lattice(const core::Domain& domain, const std::vector<Wall>& walls,
                                                          const std::vector<Group>& groups, std::uint64_t seed);
 
+/// Face-centred cubes: whole ones along periodic axes; along others layers from wall to wall, so near to the walls that these push as
+/// hard as four neighbours do. Filled from the low end of the first axis that is not periodic, the groups mixed at random.
+/// @param spacing  Distance of neighbours in largest diameters, as near as whole cubes fit; below 1 they overlap.
+/// @throws core::ConfigError if the regions have too few sites.
+[[nodiscard]] std::vector<core::Sphere> place_packed(const core::Domain& domain, const std::vector<Group>& groups, double spacing, std::uint64_t seed);
+
 } // namespace physics

@@ -52,7 +52,7 @@ void CoupledStep::declare_assumed(tasks::StageGraph& graph, Mode mode)
         "sum over assumed grains",
         [this](tasks::Lane& lane, const core::FieldBatch<told_views>& told, const FluidClock& clock, AssumedGrains& assumed, Filter& filter,
                core::FieldBatch<grain_sums>& sums) {
-            return sum_over_grains(lane, {assumed.dynamics->particles, told, clock.dt}, assumed.places, filter, sums);
+            return sum_over_grains(lane, {assumed.dynamics->particles, told, clock.dt, assumed.places, assumed.holds}, filter, sums);
         },
         reads(fields_.told, clock_), updates(assumed_), writes(fluid_filter_->stage_part, fields_.assumed));
 }

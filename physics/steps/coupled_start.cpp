@@ -41,7 +41,7 @@ tasks::Job CoupledStep::find_fraction(tasks::Lane& lane)
     const MeshLinks links = make_mesh_links(mesh_, ranks_.rank());
     for (LaneFilter* filter : {&filter_, fluid_filter_.get()})
         if (filter) co_await set_up(lane, filter->own, {&faces, links.spreading, nullptr}, volume);
-    co_await sum_over_grains(lane, {dynamics_.particles, fields_.told, 0.0}, places_.get(), filter_.own, fields_.sums);
+    co_await sum_over_grains(lane, {dynamics_.particles, fields_.told, 0.0, places_.get(), holds_.get()}, filter_.own, fields_.sums);
     for (LocalBlock b = 0; b < mesh_.own_count(); ++b)
         map_cells(fields_.fraction.on(b), [](double c) { return 1.0 - c; }, fields_.sums.on(b)[sum_solid]);
 }
@@ -52,7 +52,7 @@ tasks::Job CoupledStep::initialise(tasks::Lane& lane)
     co_await tell_state(lane);
 }
 
-StabilityNumbers CoupledStep::stability(double dt) const
+StabilityNumbers CoupledStep::stability(double dt, double bed_stiffness) const
 {
     StabilityNumbers n;
     for (LocalBlock b = 0; b < mesh_.own_count(); ++b) {
@@ -62,7 +62,9 @@ StabilityNumbers CoupledStep::stability(double dt) const
     const double fluid_share = 1.0 - std::min(n.solid_fraction, 1.0 - smallest_closure_fraction);
     for (int g = 0; g < dynamics_.particles.owned; ++g) {
         const double ratio = dynamics_.particles.mass[std::size_t(g)] / (parameters_.fluid_density * exchange_.volume(dynamics_.particles, g));
-        n.stiffness = std::max(n.stiffness, dt * exchange_.drag_rate(dynamics_.particles, g, fluid_share));
+        const double rate = exchange_.drag_rate(dynamics_.particles, g, fluid_share);
+        n.stiffness = std::max(n.stiffness, dt * rate);
+        n.softness = std::max(n.softness, rate * dynamics_.particles.mass[std::size_t(g)] / (dt * bed_stiffness));
         n.loading = std::max(n.loading, ratio * (1.0 - fluid_share) / fluid_share);
         n.amplification = std::max(n.amplification, added_mass_amplification(fluid_share, ratio, parameters_.added_mass));
     }

@@ -21,7 +21,7 @@ CoupledStep::CoupledStep(const core::Locator& locator, const core::Communicator&
       filter_("filter", make_mesh_links(mesh_, ranks.rank()).topology, parameters.filter_width),
       face_mobility_({"mobility on faces", "m3 s/kg", 0, false}, mesh_.own_cells()),
       known_face_mobility_({"mobility of the known pressure on faces", "m3 s/kg", 0, false}, mesh_.own_cells()),
-      grains_("grains", grains), clock_("fluid clock", fluid.state().clock), places_("places of grains"), kept_("grains at the start"),
+      grains_("grains", grains), clock_("fluid clock", fluid.state().clock), places_("places of grains"), holds_("hold of grains"), kept_("grains at the start"),
       assumed_("assumed grains")
 {
     core::require<core::ConfigError>(mesh_.topology().joints.interfaces.empty(),
@@ -68,6 +68,7 @@ void CoupledStep::declare(tasks::StageGraph& graph, Mode mode)
             else declare_restart_of_grains(graph);
             if (!waits) declare_taking(graph);
             declare_grain_sums(graph);
+            if (pass < passes - 1) declare_memory_of_contacts(graph);
         }
         {
             const auto lane = graph.lane("fluid");
@@ -102,12 +103,14 @@ void CoupledStep::declare_grain_load(tasks::StageGraph& graph)
     graph.whole(
         "load grains",
         [this](tasks::Lane& lane, const core::FieldBatch<told_views>& told, const core::FieldBatch<3>& vorticity,
-               const core::ScalarField& fraction, const FluidClock& clock, const GrainPlaces& places, ParticleDynamics& grains) {
+               const core::ScalarField& fraction, const FluidClock& clock, const GrainPlaces& places, ParticleDynamics& grains,
+               GrainHolds& holds) {
+            holds.forget();
             const GrainTable table = sample(lane.team(), places, std::size_t(grains.particles.owned), told, vorticity);
             exchange_.freeze_drag(grains.particles, table, fractions_at(places, grains.particles, fraction));
             exchange_.load(grains.particles, table, drive_of(clock), {clock.dt, grains.step(), 1.0 - clock.memory()});
         },
-        reads(f.told, f.vorticity, halo(f.fraction, 1), clock_, places_), updates(grains_));
+        reads(f.told, f.vorticity, halo(f.fraction, 1), clock_, places_), updates(grains_, holds_));
     graph.whole(
         "keep grains",
         [](tasks::Lane&, const ParticleDynamics& grains, GrainState& kept) { kept = {grains.particles, grains.history}; },
@@ -148,25 +151,37 @@ void CoupledStep::declare_grain_sums(tasks::StageGraph& graph)
     graph.whole(
         "sum over grains",
         [this](tasks::Lane& lane, const ParticleDynamics& grains, const core::FieldBatch<told_views>& told, const FluidClock& clock,
-               GrainPlaces& places, Filter& filter, core::FieldBatch<grain_sums>& sums) {
-            return sum_over_grains(lane, {grains.particles, told, clock.dt}, places, filter, sums);
+               GrainPlaces& places, GrainHolds& holds, Filter& filter, core::FieldBatch<grain_sums>& sums) {
+            return sum_over_grains(lane, {grains.particles, told, clock.dt, places, holds}, filter, sums);
         },
-        reads(grains_, fields_.told, clock_), updates(places_), writes(filter_.stage_part, fields_.sums));
+        reads(grains_, fields_.told, clock_), updates(places_, holds_), writes(filter_.stage_part, fields_.sums));
 }
 
-tasks::Job CoupledStep::sum_over_grains(tasks::Lane& lane, MovedGrains moved, GrainPlaces& places, Filter& filter,
-                                        core::FieldBatch<grain_sums>& sums)
+/// For the pass that follows: it sees how far contacts give way to what has changed.
+void CoupledStep::declare_memory_of_contacts(tasks::StageGraph& graph)
+{
+    graph.whole(
+        "remember contacts",
+        [this](tasks::Lane&, const ParticleDynamics& grains, const GrainPlaces& places, GrainHolds& holds) {
+            if (bed_gives_way) holds.remember(grains.particles.id, places);
+        },
+        reads(grains_, places_), updates(holds_));
+}
+
+tasks::Job CoupledStep::sum_over_grains(tasks::Lane& lane, MovedGrains moved, Filter& filter, core::FieldBatch<grain_sums>& sums)
 {
     GrainTable deposits;
+    GrainPlaces& places = moved.places;
     lane.attempt([&] {
         places.locate(mesh_, locator_, dynamics_.domain(), moved.grains);
+        moved.holds.find(moved.grains.id, places, exchange_.impulses(moved.grains));
         GrainTable told(3, std::vector<double>(std::size_t(moved.grains.owned)));
         static_assert(view_velocity == 0); // no other view is needed here
         lane.team().run(mesh_.own_count(), [&](int b) {
             const auto views = moved.told.on(b);
             places.sample(b, std::span(views).first(told.size()), told);
         });
-        exchange_.answer(moved.grains, told, moved.dt, deposits);
+        exchange_.answer(moved.grains, {told, moved.holds, moved.dt}, deposits);
     });
     co_await lane.agree();
     lane.team().run(mesh_.own_count(), [&](int b) {
@@ -203,11 +218,13 @@ void CoupledStep::declare_owed(tasks::StageGraph& graph)
     auto& f = fields_;
     graph.whole(
         "owe grains",
-        [this](tasks::Lane& lane, const core::FieldBatch<told_views>& told, const core::FieldBatch<grain_news>& news, const GrainPlaces& places, const FluidClock& clock, ParticleDynamics& grains) {
+        [this](tasks::Lane& lane, const core::FieldBatch<told_views>& told, const core::FieldBatch<grain_news>& news, const GrainPlaces& places,
+               const GrainHolds& holds, const FluidClock& clock, ParticleDynamics& grains) {
             const auto count = std::size_t(grains.particles.owned);
-            exchange_.owe(grains.particles, sample(lane.team(), places, count, told), sample(lane.team(), places, count, news), clock.dt);
+            const GrainTable before = sample(lane.team(), places, count, told), after = sample(lane.team(), places, count, news);
+            exchange_.owe(grains.particles, {before, holds, clock.dt}, after);
         },
-        reads(f.told, f.news, places_, clock_), updates(grains_));
+        reads(f.told, f.news, places_, holds_, clock_), updates(grains_));
     graph.sink(grains_);
 }
 

@@ -11,6 +11,7 @@
 #include "physics/steps/fluid_step.hpp"
 #include "physics/steps/lane_filter.hpp"
 #include <functional>
+#include <limits>
 #include <memory>
 
 namespace physics {
@@ -44,10 +45,13 @@ public:
     [[nodiscard]] const GrainExchange& exchange() const { return exchange_; }
     /// Extremes of the present state on this rank, for steps of `dt` [s]; the drag is that of the last step, before the first that
     /// of grains that settle.
-    [[nodiscard]] StabilityNumbers stability(double dt) const;
+    /// @param bed_stiffness  Of bed_stiffness.hpp [N/m].
+    [[nodiscard]] StabilityNumbers stability(double dt, double bed_stiffness = std::numeric_limits<double>::infinity()) const;
     [[nodiscard]] int filter_degree() const { return filter_.own.degree(); }
     /// Sub-steps of the grains in the step that is being made; set it together with the clock's dt = sub_steps * sub-step.
     int sub_steps = 1;
+    /// Is this a step of a bed that gives way (mode.hpp)?
+    bool bed_gives_way = false;
 
 private:
     void declare_boundaries(tasks::StageGraph& graph);
@@ -56,6 +60,7 @@ private:
     void declare_grain_load(tasks::StageGraph& graph);
     void declare_restart_of_grains(tasks::StageGraph& graph);
     void declare_grain_sums(tasks::StageGraph& graph);
+    void declare_memory_of_contacts(tasks::StageGraph& graph);
     void declare_transport(tasks::StageGraph& graph);
     void declare_memory(tasks::StageGraph& graph);
     void declare_expected(tasks::StageGraph& graph);
@@ -81,9 +86,10 @@ private:
         const core::ParticleSet& grains;
         const core::FieldBatch<told_views>& told;
         double dt; ///< [s]
+        GrainPlaces& places; ///< found
+        GrainHolds& holds;   ///< found
     };
-    [[nodiscard]] tasks::Job sum_over_grains(tasks::Lane& lane, MovedGrains moved, GrainPlaces& places, Filter& filter,
-                                             core::FieldBatch<grain_sums>& sums);
+    [[nodiscard]] tasks::Job sum_over_grains(tasks::Lane& lane, MovedGrains moved, Filter& filter, core::FieldBatch<grain_sums>& sums);
     struct GrainState {
         core::ParticleSet particles;
         core::ContactHistory history;
@@ -93,6 +99,7 @@ private:
         std::unique_ptr<ParticleDynamics> dynamics;
         std::unique_ptr<ParticleStepper> stepper;
         GrainPlaces places;
+        GrainHolds holds;
     };
     [[nodiscard]] tasks::Job coarse_pass(tasks::Lane& lane, AssumedGrains& assumed) const;
     tasks::Job tell_state(tasks::Lane& lane);
@@ -130,6 +137,7 @@ private:
     tasks::Part<ParticleDynamics> grains_;
     tasks::Part<FluidClock> clock_;
     tasks::Value<GrainPlaces> places_;
+    tasks::Value<GrainHolds> holds_;
     tasks::Value<GrainState> kept_; ///< loaded, before the first sub-step: where a repeated pass begins
     tasks::Value<AssumedGrains> assumed_; ///< empty unless a mode needs them
 };

@@ -56,7 +56,7 @@ Column::Column(const ColumnScene& scene) : scene_(scene), cell_(scene.diameter)
         place_.push_back(plate ? bottom_ + d * (0.5 + 1.01 * layer) : layer * height / scene.layers);
     }
     velocity_.assign(count, 0.0);
-    owed_ = drag_ = velocity_;
+    owed_ = drag_ = share_ = velocity_;
     ledger_.assign(n, 0.0);
     force_ = acceleration_ = advected_ = kept_ = ledger_;
     const double diffusion = std::pow(filter_width * d / cell_, 2) / 12.0;
@@ -150,14 +150,19 @@ GrainResponse Column::sum_at(const std::vector<Numbers>& sums, std::size_t cell)
     return {sums[0][cell], sums[1][cell], sums[2][cell], sums[3][cell], sums[4][cell]};
 }
 
+Column::Lane Column::taken(const Told& told, const Lane& real) const
+{
+    if (scene_.mode == Mode::coarse) return advance(told, std::max(1, substeps_ / coarsening));
+    return scene_.mode == Mode::concurrent ? fly(told) : real;
+}
+
 Column::Pass Column::couple(const Told& told)
 {
     locate(place_);
     const Numbers used = sampled(told.force);
     Pass pass{advance(told, substeps_), {}, {}, {}, {}};
-    const bool coarse = scene_.mode == Mode::coarse;
-    const Lane known = coarse ? advance(told, std::max(1, substeps_ / coarsening)) : pass.real;
-    if (!coarse) locate(pass.real.place);
+    const Lane known = taken(told, pass.real);
+    if (waits_for_grains(scene_.mode)) locate(pass.real.place);
     std::vector<GrainResponse> predictor, projection;
     Numbers flux, mistaken;
     for (std::size_t i = 0; i < place_.size(); ++i) {
@@ -224,12 +229,13 @@ void Column::finish(const Pass& pass, const Numbers& phi_before)
     place_ = pass.real.place;
     velocity_ = pass.real.velocity;
     owed_ = pass.owed;
+    share_ = pass.real.share;
     force_ = pass.force;
     locate(place_);
     for (std::size_t c = 0; c < u_.size(); ++c) {
         // Lanes that did not wait projected with the old phi: the fluid that filled the difference has the new velocity.
         const double before = scene_.density * phi_before[c], now = scene_.density * phi_[c];
-        ledger_[c] = scene_.mode == Mode::coarse
+        ledger_[c] = !waits_for_grains(scene_.mode)
                          ? pass.mistaken[c] + (before - now) * pass.velocity[c]
                                + physics::conserved_ledger(kept_[c], before, advected_[c])
                          : physics::conserved_ledger(kept_[c], now, advected_[c]);

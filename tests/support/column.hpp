@@ -51,13 +51,19 @@ private:
         double plate = 0.0;
     };
     struct Pass;
+    struct Push;
 
     void locate(const Numbers& place);
     [[nodiscard]] Numbers sampled(const Numbers& field) const;
     [[nodiscard]] Numbers deposited(const Numbers& quantity) const;
     [[nodiscard]] Numbers filtered(Numbers field) const;
     void advect();
+    [[nodiscard]] Push push_of(const Told& told, double h) const;
+    void close(const Push& push, Lane& lane) const;
     [[nodiscard]] Lane advance(const Told& told, int substeps) const;
+    [[nodiscard]] Lane fly(const Told& told) const;
+    /// What the fluid takes the grains for.
+    [[nodiscard]] Lane taken(const Told& told, const Lane& real) const;
     void contacts(const Lane& lane, Numbers& force, double& plate) const;
     [[nodiscard]] physics::GrainResponse sum_at(const std::vector<Numbers>& sums, std::size_t cell) const;
     [[nodiscard]] std::vector<Numbers> sums(const std::vector<physics::GrainResponse>& responses) const;
@@ -69,7 +75,7 @@ private:
     double mass_ = 0.0, volume_ = 0.0, added_ = 0.0, weight_ = 0.0, area_ = 0.0, cell_ = 0.0, bottom_ = 0.0, top_ = 0.0;
     double spring_ = 0.0, damper_ = 0.0, time_ = 0.0, outside_ = 0.0, stiffness_ = 0.0, start_ = 0.0;
     int substeps_ = 1;
-    Numbers place_, velocity_, owed_, drag_;                       // grains
+    Numbers place_, velocity_, owed_, drag_, share_;               // grains
     Numbers u_, force_, ledger_, acceleration_, flux_, advected_, kept_, phi_; // cells
     std::vector<std::size_t> low_;                                 // lower cell of each grain
     Numbers high_weight_;

@@ -32,35 +32,70 @@ void Column::contacts(const Lane& lane, Numbers& force, double& plate) const
     }
 }
 
+/// What the frozen fluid does to the grains, in sub-steps of h: v <- decay v + drift + give * contact force.
+struct Column::Push {
+    Numbers fluid, known, load; ///< velocity; force that the fluid feels no reaction of; all at the velocity of the start
+    Numbers decay, give, drift;
+};
+
+Column::Push Column::push_of(const Told& told, double h) const
+{
+    const Numbers acceleration = sampled(told.acceleration), g = sampled(told.force);
+    Push push{sampled(told.velocity), {}, {}, {}, {}, {}};
+    const double mass = mass_ + added_;
+    for (std::size_t i = 0; i < place_.size(); ++i) {
+        const double x = std::max(drag_[i] * h / mass, 1e-9), u = push.fluid[i];
+        push.decay.push_back(std::exp(-x));
+        push.give.push_back(-std::expm1(-x) / x * h / mass);
+        push.known.push_back(weight_ + owed_[i] / scene_.dt + volume_ * g[i]);
+        const double force = push.known[i] + added_ * acceleration[i];
+        push.load.push_back(force + drag_[i] * (u - velocity_[i]));
+        push.drift.push_back((1.0 - push.decay[i]) * u + push.give[i] * force);
+    }
+    return push;
+}
+
+/// What each grain received of the fluid, and the share of its load that contacts carried.
+void Column::close(const Push& push, Lane& lane) const
+{
+    for (std::size_t i = 0; i < place_.size(); ++i) {
+        const double applied = mass_ * (lane.velocity[i] - velocity_[i]) - lane.contact[i];
+        lane.exchanged.push_back(applied - push.known[i] * scene_.dt);
+        lane.share.push_back(physics::contact_share(lane.contact[i] * applied, applied * applied));
+    }
+}
+
+/// Free flight, held back by the contacts of the last step, from place.
+Column::Lane Column::fly(const Told& told) const
+{
+    const Push push = push_of(told, scene_.dt);
+    Lane lane{place_, velocity_, {}, {}, {}};
+    for (std::size_t i = 0; i < place_.size(); ++i) {
+        lane.contact.push_back(-share_[i] * scene_.dt * push.load[i]);
+        lane.velocity[i] += (1.0 - share_[i]) * (push.decay[i] * velocity_[i] + push.drift[i] - velocity_[i]);
+    }
+    close(push, lane);
+    return lane;
+}
+
 Column::Lane Column::advance(const Told& told, int substeps) const
 {
-    const Numbers u = sampled(told.velocity), acceleration = sampled(told.acceleration), g = sampled(told.force);
-    const double h = scene_.dt / substeps, mass = mass_ + added_;
+    const double h = scene_.dt / substeps;
+    const Push push = push_of(told, h);
     const std::size_t count = place_.size();
     Lane lane{place_, velocity_, Numbers(count, 0.0), {}, {}};
-    Numbers decay, give, drift, force(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        const double x = std::max(drag_[i] * h / mass, 1e-9);
-        decay.push_back(std::exp(-x));
-        give.push_back(-std::expm1(-x) / x * h / mass);
-        const double f = weight_ + owed_[i] / scene_.dt + volume_ * g[i] + added_ * acceleration[i];
-        drift.push_back((1.0 - decay[i]) * u[i] + give[i] * f);
-    }
+    Numbers force(count);
     for (int k = 0; k < substeps; ++k) {
         double plate = 0.0;
         contacts(lane, force, plate);
         lane.plate += h * plate;
         for (std::size_t i = 0; i < count; ++i) {
-            lane.velocity[i] = decay[i] * lane.velocity[i] + drift[i] + give[i] * force[i];
+            lane.velocity[i] = push.decay[i] * lane.velocity[i] + push.drift[i] + push.give[i] * force[i];
             lane.place[i] += h * lane.velocity[i];
             lane.contact[i] += h * force[i];
         }
     }
-    for (std::size_t i = 0; i < count; ++i) {
-        const double applied = mass_ * (lane.velocity[i] - velocity_[i]) - lane.contact[i];
-        lane.exchanged.push_back(applied - (weight_ + volume_ * g[i]) * scene_.dt - owed_[i]);
-        lane.share.push_back(physics::contact_share(lane.contact[i] * applied, applied * applied));
-    }
+    close(push, lane);
     return lane;
 }
 

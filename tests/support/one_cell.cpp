@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/one_cell.hpp"
 
+#include "physics/coupling/added_mass.hpp"
 #include "physics/coupling/contact_share.hpp"
 #include "physics/coupling/predictor.hpp"
 #include "physics/coupling/true_up.hpp"
@@ -26,6 +27,14 @@ void add(GrainResponse& sum, const GrainResponse& one)
     sum.displaced += one.displaced;
     sum.added += one.added;
     sum.added_flux += one.added_flux;
+}
+
+/// Hold from the second pass on.
+template <class Lane>
+double changed(const Lane& before, const Lane& now)
+{
+    const double applied = now.applied - before.applied, contact = now.contact - before.contact;
+    return physics::changed_share(now.share, contact * applied, applied * applied, now.applied * now.applied);
 }
 
 double first_exponential(double x) { return x < 1e-8 ? 1.0 - 0.5 * x : -std::expm1(-x) / x; }
@@ -60,16 +69,24 @@ double OneCell::body_force(const Grain& grain) const
     return -(scene_.density_ratio - 1.0) * grain.coupling.volume * scene_.gravity;
 }
 
-double OneCell::contact_impulse(const Grain& grain, Hold hold, double velocity, double give, double h) const
+/// @param free  Velocity at the end of the sub-step without contact.   @param give  Velocity per impulse.
+double OneCell::contact_impulse(const Grain& grain, Hold hold, const Lane& lane, double free, double give) const
 {
-    const double stop = -velocity / give;
+    const double stop = -free / give, h = scene_.dt / scene_.substeps;
     if (hold == Hold::free || (hold == Hold::scene && scene_.contact == Contact::none)) return 0.0;
     if (hold == Hold::fixed || scene_.contact == Contact::locked) return stop;
     if (scene_.contact == Contact::stick_slip) {
         const double limit = scene_.friction * grain.coupling.mass * h;
         return std::clamp(stop, -limit, limit);
     }
+    if (scene_.contact == Contact::spring)
+        return -grain.coupling.drag / (scene_.softness * scene_.dt * scene_.dt) * h * (lane.place + 0.5 * h * lane.velocity);
     return grain.clamped ? stop : 0.0;
+}
+
+double OneCell::told_to(const Grain& grain, const Told& told) const
+{
+    return physics::told_acceleration(told.acceleration, grain.told, told.repeated ? 0.0 : grain.share);
 }
 
 OneCell::Lane OneCell::advance(const Grain& grain, const Told& told, int substeps, Hold hold) const
@@ -81,17 +98,19 @@ OneCell::Lane OneCell::advance(const Grain& grain, const Told& told, int substep
     const double decay = std::exp(-x);
     const double give = first_exponential(x) / mass;
     const double force = g.volume * told.force + body_force(grain) + grain.owed / scene_.dt;
-    const double drift = (1.0 - decay) * told.velocity + give * h * (force + g.added_mass * told.acceleration);
-    Lane lane{grain.velocity};
+    const double drift = (1.0 - decay) * told.velocity + give * h * (force + g.added_mass * told_to(grain, told));
+    Lane lane{.velocity = grain.velocity, .place = grain.place};
     for (int k = 0; k < substeps; ++k) {
         const double free = decay * lane.velocity + drift;
-        const double impulse = contact_impulse(grain, hold, free, give, h);
+        const double impulse = contact_impulse(grain, hold, lane, free, give);
+        lane.place += 0.5 * h * lane.velocity;
         lane.velocity = free + give * impulse;
+        lane.place += 0.5 * h * lane.velocity;
         lane.contact += impulse;
     }
-    const double applied = g.mass * (lane.velocity - grain.velocity) - lane.contact;
-    lane.exchanged = applied - force * scene_.dt;
-    lane.share = physics::contact_share(lane.contact * applied, applied * applied);
+    lane.applied = g.mass * (lane.velocity - grain.velocity) - lane.contact;
+    lane.exchanged = lane.applied - force * scene_.dt;
+    lane.share = physics::contact_share(lane.contact * lane.applied, lane.applied * lane.applied);
     return lane;
 }
 
@@ -102,25 +121,28 @@ OneCell::Lane OneCell::predict(const Grain& grain, const Told& told, const Lane&
     const Lane free = advance(grain, told, 1, Hold::free);
     const Lane held = advance(grain, told, 1, Hold::fixed);
     const double share = grain.share;
-    return {free.velocity + share * (grain.velocity - free.velocity),
-            free.exchanged + share * (held.exchanged - free.exchanged), 0.0, share};
+    return {.velocity = free.velocity + share * (grain.velocity - free.velocity),
+            .exchanged = free.exchanged + share * (held.exchanged - free.exchanged), .share = share};
 }
 
-OneCell::Pass OneCell::couple(const Told& told, double drive) const
+OneCell::Pass OneCell::couple(const Told& told, double drive, const Pass* before) const
 {
     Pass pass;
     GrainResponse predictor, projection;
     std::vector<GrainResponse> each_predictor, each_projection;
+    std::vector<double> untold;
     double exchanged = 0.0, flux = 0.0;
     for (const Grain& grain : grains_) {
         pass.real.push_back(advance(grain, told, scene_.substeps, Hold::scene));
         const Lane known = predict(grain, told, pass.real.back());
+        const double hold = before ? changed(before->real[pass.real.size() - 1], known) : known.share;
         const double stiffness = grain.coupling.drag / grain.coupling.mass;
-        each_predictor.push_back(response_to_velocity(grain.coupling, physics::predictor_yield(known.share)));
-        each_projection.push_back(response_to_pressure(grain.coupling, physics::projection_yield(known.share, stiffness)));
+        each_predictor.push_back(response_to_velocity(grain.coupling, physics::predictor_yield(hold)));
+        each_projection.push_back(response_to_pressure(grain.coupling, physics::projection_yield(hold, stiffness)));
         add(predictor, each_predictor.back());
         add(projection, each_projection.back());
-        exchanged += known.exchanged;
+        untold.push_back(scene_.dt * (told.acceleration - told_to(grain, told)));
+        exchanged += known.exchanged + each_predictor.back().added * untold.back();
         flux += grain.coupling.volume * known.velocity;
         pass.mistaken += known.exchanged - pass.real.back().exchanged;
     }
@@ -138,7 +160,7 @@ OneCell::Pass OneCell::couple(const Told& told, double drive) const
     pass.velocity = told.velocity + du + response.velocity * change;
     pass.force = told.force + change;
     for (std::size_t i = 0; i < grains_.size(); ++i) {
-        pass.owed.push_back(physics::owed_impulse({told.force, pass.force, change, du, response.velocity * change, miss},
+        pass.owed.push_back(physics::owed_impulse({told.force, pass.force, change, du, response.velocity * change, miss + untold[i]},
                                                   grains_[i].coupling.volume, each_predictor[i], each_projection[i], dt));
     }
     return pass;
@@ -163,15 +185,19 @@ void OneCell::step()
     const double dt = scene_.dt;
     const double drive = scene_.flow(time_ + dt) - scene_.flow(time_);
     const int passes = scene_.mode == Mode::iterated || time_ == 0.0 ? passes_of_iterated : 1;
+    const bool gives_way = scene_.contact == Contact::spring && physics::gives_way(scene_.stiffness * scene_.loading, scene_.softness);
     Told told{u_, acceleration_, force_};
     Pass pass;
     for (int k = 0; k < passes; ++k) {
-        if (k > 0) told = {pass.velocity, (pass.velocity - u_) / dt, pass.force};
-        pass = couple(told, drive);
+        const Pass before = pass;
+        if (k > 0) told = {pass.velocity, (pass.velocity - u_) / dt, pass.force, true};
+        pass = couple(told, drive, k > 0 && gives_way ? &before : nullptr);
     }
     for (std::size_t i = 0; i < grains_.size(); ++i) {
         Grain& grain = grains_[i];
+        grain.told = told_to(grain, told);
         grain.velocity = pass.real[i].velocity;
+        grain.place = pass.real[i].place;
         grain.share = pass.real[i].share;
         grain.owed = pass.owed[i];
         outside_ += pass.real[i].contact + body_force(grain) * dt;

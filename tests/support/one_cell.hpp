@@ -11,7 +11,7 @@
 
 namespace testing {
 
-enum class Contact { none, locked, stick_slip, half_locked, random_clamps };
+enum class Contact { none, locked, stick_slip, half_locked, random_clamps, spring };
 
 /// confined: phi u + sum V v is given (compression); transverse: the fluid is driven, nothing confines it (shear).
 enum class Motion { transverse, confined };
@@ -23,6 +23,7 @@ struct CellScene {
     double added_mass = 0.5;    ///< C_m
     double gravity = 9.81;      ///< along -v, confined only
     double friction = 9.81;     ///< stick-slip: largest contact force per grain mass [m/s2]
+    double softness = 1.0;      ///< springs: K / (k dt), k their stiffness
     double dt = 1e-3;
     int substeps = 20;
     std::uint64_t seed = 1; ///< of the random clamps
@@ -48,24 +49,26 @@ public:
 private:
     struct Grain {
         physics::GrainCoupling coupling;
-        double velocity = 0.0, owed = 0.0, share = 0.0;
+        double velocity = 0.0, owed = 0.0, share = 0.0, place = 0.0, told = 0.0;
         bool clamped = false;
     };
     struct Told {
         double velocity = 0.0, acceleration = 0.0, force = 0.0;
+        bool repeated = false; ///< the pass: held grains are told all
     };
     struct Lane {
-        double velocity = 0.0, exchanged = 0.0, contact = 0.0, share = 0.0;
+        double velocity = 0.0, exchanged = 0.0, contact = 0.0, share = 0.0, applied = 0.0, place = 0.0;
     };
 
     enum class Hold { scene, free, fixed };
 
     [[nodiscard]] Lane advance(const Grain& grain, const Told& told, int substeps, Hold hold) const;
+    [[nodiscard]] double told_to(const Grain& grain, const Told& told) const;
     [[nodiscard]] Lane predict(const Grain& grain, const Told& told, const Lane& real) const;
-    [[nodiscard]] double contact_impulse(const Grain& grain, Hold hold, double velocity, double give, double h) const;
+    [[nodiscard]] double contact_impulse(const Grain& grain, Hold hold, const Lane& lane, double free, double give) const;
     [[nodiscard]] double body_force(const Grain& grain) const;
     struct Pass;
-    [[nodiscard]] Pass couple(const Told& told, double drive) const;
+    [[nodiscard]] Pass couple(const Told& told, double drive, const Pass* before) const;
     void clamp_at_random();
 
     CellScene scene_;

@@ -31,15 +31,18 @@ ColumnScene bed(double ratio, bool air, Mode mode)
 
 TEST_CASE("a bed comes to rest where naive lagging would amplify")
 {
-    for (Mode mode : {Mode::pipelined, Mode::coarse, Mode::iterated}) {
+    for (Mode mode : {Mode::pipelined, Mode::coarse, Mode::concurrent, Mode::iterated}) {
         for (double ratio : {1.05, 2.0, 2.65, 1000.0}) {
             const ColumnScene scene = bed(ratio, ratio > 100.0, mode);
             Column column(scene);
             for (int n = 0; n < 1000; ++n) column.step();
             std::printf("%-9s s %.2f A %.2f: rms velocity %.1e m/s after 1 s, closure %.0e\n", physics::name(mode), ratio,
                         physics::added_mass_amplification(0.4, ratio, scene.added_mass), column.rms_velocity(), column.closure());
-            // A thousandth of the velocity a grain gains in one step of free fall.
-            CHECK(column.rms_velocity() < 1e-3 * scene.gravity * scene.dt);
+            // A thousandth of the velocity a grain gains in one step of free fall. `concurrent` takes grains for what contacts did to them a
+            // step ago: where added mass would amplify, a bed never quite rests, and that mode is not made.
+            const double solid = 1.0 - scene.phi, loading = ratio * solid / scene.phi;
+            const bool made = holds(mode, {column.stiffness(), loading, physics::added_mass_amplification(scene.phi, ratio, scene.added_mass), solid});
+            CHECK(column.rms_velocity() < (made ? 1e-3 : 1.0) * scene.gravity * scene.dt);
             CHECK(column.closure() < 1e-12);
         }
     }
@@ -47,7 +50,7 @@ TEST_CASE("a bed comes to rest where naive lagging would amplify")
 
 TEST_CASE("a bed of 50 um grains with stiff drag stays bounded from below to far above fluidisation")
 {
-    for (Mode mode : {Mode::pipelined, Mode::coarse, Mode::iterated}) {
+    for (Mode mode : {Mode::pipelined, Mode::coarse, Mode::concurrent, Mode::iterated}) {
         for (bool air : {false, true}) {
             for (double lift : {0.5, 1.5, 3.0}) {
                 ColumnScene scene = bed(air ? 1000.0 : 2.65, air, mode);

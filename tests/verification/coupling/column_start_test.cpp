@@ -38,7 +38,7 @@ ColumnScene suspension(double ratio, double phi, double added_mass, Mode mode)
 
 TEST_CASE("a closed suspension accelerates within 2 % of the exact mixture from the tenth step on")
 {
-    for (Mode mode : {Mode::pipelined, Mode::coarse, Mode::iterated}) {
+    for (Mode mode : {Mode::pipelined, Mode::coarse, Mode::concurrent, Mode::iterated}) {
         for (double ratio : {1.1, 1.5, 2.0, 2.65}) {
             for (double phi : {0.4, 0.6, 0.9}) {
                 for (double added_mass : {0.0, 0.5}) {
@@ -62,7 +62,7 @@ TEST_CASE("a closed suspension accelerates within 2 % of the exact mixture from 
 
 TEST_CASE("a sinking suspension does not grow over 1e4 steps")
 {
-    for (Mode mode : {Mode::pipelined, Mode::coarse}) {
+    for (Mode mode : {Mode::pipelined, Mode::coarse, Mode::concurrent}) {
         for (double ratio : {1.1, 2.65}) {
             Column column(suspension(ratio, 0.4, 0.5, mode));
             for (int n = 0; n < 1000; ++n) column.step();

@@ -5,6 +5,7 @@
 #include "physics/coupling/contact_share.hpp"
 #include "physics/coupling/predictor.hpp"
 #include "physics/coupling/true_up.hpp"
+#include "tests/support/one_cell.hpp"
 #include "tests/support/relative.hpp"
 #include <cmath>
 #include <cstdio>
@@ -80,4 +81,54 @@ TEST_CASE("a grain is told all: at once if it is free, a quarter of the rest in 
         rest = now - told; // owed
     }
     CHECK(impulse == test::relative(10.0));
+}
+
+namespace {
+
+/// Bed and fluid of one cell after a jolt, on springs that drag leans on: growth of the sway in each step.
+double growth(const testing::CellScene& scene)
+{
+    testing::OneCell cell(scene);
+    const double angle = std::sqrt(scene.stiffness / scene.softness); // of the grains alone in a step; with their fluid it is smaller
+    const int steps = std::max(300, int(12.0 * std::numbers::pi * std::sqrt(1.0 + 1.0 / scene.loading) / angle)); // six sways
+    double first = 0, last = 0;
+    for (int n = 0; n < steps; ++n) {
+        cell.step();
+        double& most = n < steps / 2 ? first : last;
+        if (n >= 20) most = std::max(most, cell.fastest()); // the jolt itself is over
+    }
+    return std::log(std::max(last, 1e-12) / std::max(first, 1e-12)) / (0.5 * steps); // a billionth of the jolt is at rest
+}
+
+} // namespace
+
+TEST_CASE("a bed on springs that are soft against drag sways less and less with its fluid, in every mode that is not refused")
+{
+    double worst_held = -1, worst_refused = -1;
+    for (const physics::Mode mode : {physics::Mode::pipelined, physics::Mode::coarse, physics::Mode::concurrent, physics::Mode::iterated})
+        for (const auto motion : {testing::Motion::transverse, testing::Motion::confined})
+            for (const double softness : {0.4, 0.7, 1.0, 3.0, 10.0, 100.0, 1e3})
+                for (const double b : {0.01, 0.1, 0.3, 1.0, 3.0, 10.0, 50.0, 300.0})
+                    for (const double ratio : {1.05, 2.65, 20.0, 1000.0}) {
+                        testing::CellScene scene;
+                        scene.mode = mode;
+                        scene.motion = motion;
+                        scene.contact = testing::Contact::spring;
+                        scene.softness = softness;
+                        scene.stiffness = b;
+                        const double phi = 0.4, loading = ratio * (1.0 - phi) / phi;
+                        scene.density_ratio = ratio;
+                        scene.loading = loading;
+                        scene.gravity = 0.0;
+                        scene.substeps = int(std::ceil(std::max(40.0, 4.0 * std::sqrt(b / softness))));
+                        scene.flow = [](double t) { return t > 0.0015 && t < 0.0045 ? 1.0 : 0.0; };
+                        physics::StabilityNumbers numbers{b, loading, physics::added_mass_amplification(phi, ratio, 0.5), 1.0 - phi};
+                        numbers.softness = softness;
+                        const double grows = growth(scene) * (ratio + 0.5) / 0.5; // over a / (m + a)
+                        double& most = holds(mode, numbers) ? worst_held : worst_refused;
+                        most = std::max(most, grows);
+                    }
+    std::printf("growth of a sway in each step, over a / (m + a): %.4f where it is taken for calm, %.4f where refused\n", worst_held, worst_refused);
+    CHECK(worst_held < 0.035);  // what held grains are told late of the fluid's acceleration: half of the above, for that is energy
+    CHECK(worst_refused > 0.1); // the test of the test
 }

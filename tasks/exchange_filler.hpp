@@ -5,7 +5,7 @@
 #include "core/comm/halo.hpp"
 #include "tasks/stage_graph.hpp"
 #include <map>
-#include <utility>
+#include <tuple>
 
 namespace tasks {
 
@@ -17,9 +17,13 @@ public:
     [[nodiscard]] Job fill(Lane& lane, FieldRef field, core::HaloReach reach) override;
 
 private:
+    /// Halo layers of the field, what is filled behind them, and reach.
+    using Key = std::tuple<int, core::HaloExchange::Behind, core::HaloReach>;
+    [[nodiscard]] Key key_of(FieldRef field, core::HaloReach reach) const;
+
     const core::Mesh& mesh_;
     core::Communicator ranks_;
-    std::map<std::pair<int, core::HaloReach>, core::HaloExchange> exchanges_; ///< by halo layers of the field and reach
+    std::map<Key, core::HaloExchange> exchanges_;
 };
 
 } // namespace tasks

@@ -55,10 +55,10 @@ struct HomeBound {
 
 } // namespace
 
-HaloExchange::HaloExchange(const Mesh& mesh, const Communicator& communicator, int field_halo, int width, HaloShape shape)
+HaloExchange::HaloExchange(const Mesh& mesh, const Communicator& communicator, int field_halo, int width, HaloShape shape, Behind behind)
     : communicator_(communicator.duplicate())
 {
-    request(mesh, communicator, field_halo, width, shape);
+    request(mesh, communicator, field_halo, width, shape, behind);
     find_copies();
 }
 
@@ -72,7 +72,9 @@ void HaloExchange::find_copies()
             continue;
         }
         if (sources.size() > 1) {
-            blends_.push_back(row);
+            const int first = int(blend_sources_.size());
+            for (const Source& s : sources) blend_sources_.push_back({s.place.block, int(s.place.offset), s.weight});
+            blends_.push_back({row.target, first, int(blend_sources_.size())});
             continue;
         }
         const Source& source = sources.front();
@@ -82,7 +84,7 @@ void HaloExchange::find_copies()
     for (auto& [blocks, between] : copies) copies_.push_back(std::move(between));
 }
 
-void HaloExchange::request(const Mesh& mesh, const Communicator& communicator, int field_halo, int width, HaloShape shape)
+void HaloExchange::request(const Mesh& mesh, const Communicator& communicator, int field_halo, int width, HaloShape shape, Behind behind)
 {
     std::vector<std::vector<Request>> requests(std::size_t(communicator.size()));
     std::vector<HomeBound> bound;
@@ -107,9 +109,13 @@ void HaloExchange::request(const Mesh& mesh, const Communicator& communicator, i
         };
         for (const HaloRow& row : halo_rows(mesh.topology(), mesh.global(b), width, shape))
             add({b, offset_of(n, field_halo, row.cell)}, offset_of(n, width, row.cell), row.sources);
-        const auto behind = sub_face_values(mesh.topology(), mesh.global(b)).rows;
-        for (std::size_t v = 0; v < behind.size(); ++v)
-            add({b, end_of_halo(n, field_halo) + std::ptrdiff_t(v)}, end_of_halo(n, width) + std::int64_t(v), behind[v]);
+        const SubFaceValues values = sub_face_values(mesh.topology(), mesh.global(b));
+        const auto add_behind = [&](int number, const std::vector<HaloSource>& sources) {
+            add({b, end_of_halo(n, field_halo) + number}, end_of_halo(n, width) + number, sources);
+        };
+        for (std::size_t c = 0; c < values.cells.size(); ++c) add_behind(int(c), {values.cells[c]});
+        if (behind == Behind::all)
+            for (const BlockSubFace& face : values.faces) add_behind(face.at_centre, centre_sources(mesh.topology(), *face.face));
     }
     std::vector<std::vector<std::byte>> asked;
     for (const auto& list : requests) {
@@ -176,8 +182,19 @@ void HaloExchange::finish_arrays(const Arrays& arrays, const Flight& flight) con
             target[a][row.target.offset] = sum;
         }
     };
+    for (const Row& row : blends_) {
+        double* const* target = arrays.of(row.target.block);
+        const auto term = [&](int n, std::size_t a) {
+            const BlendSource& s = blend_sources_[std::size_t(n)];
+            return s.weight * arrays.of(s.block)[a][s.offset];
+        };
+        for (std::size_t a = 0; a < count; ++a) {
+            double sum = term(row.first, a); // as it is, should it be -0
+            for (int n = row.first + 1; n < row.last; ++n) sum += term(n, a);
+            target[a][row.target.offset] = sum;
+        }
+    }
     const auto here = [&](const Source& s, std::size_t a) { return arrays.of(s.place.block)[a][s.place.offset]; };
-    for (const Row& row : blends_) blend(row, here);
     for (const Row& row : arrivals_)
         blend(row, [&](const Source& s, std::size_t a) {
             return s.rank < 0 ? here(s, a) : flight.received[std::size_t(s.rank)][std::size_t(s.slot) * count + a];

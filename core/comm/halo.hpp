@@ -25,8 +25,10 @@ public:
         std::vector<std::vector<double>> sent, received; ///< by rank
     };
 
+    /// Which of the values that fields keep behind their halo are filled (sub_face_values.hpp).
+    enum class Behind { cells, all };
     /// Plan for fields with `field_halo` layers of which `width` are filled. Collective.
-    HaloExchange(const Mesh& mesh, const Communicator& communicator, int field_halo, int width, HaloShape shape);
+    HaloExchange(const Mesh& mesh, const Communicator& communicator, int field_halo, int width, HaloShape shape, Behind behind = Behind::all);
 
     /// Packs and sends in a space of messages where no other exchange is on its way.
     template <std::size_t N>
@@ -105,7 +107,7 @@ private:
 
     template <std::size_t N>
     static Arrays arrays_of(FieldStorage<N>& field);
-    void request(const Mesh& mesh, const Communicator& communicator, int field_halo, int width, HaloShape shape);
+    void request(const Mesh& mesh, const Communicator& communicator, int field_halo, int width, HaloShape shape, Behind behind);
     void find_copies();
     void start_arrays(const Arrays& arrays, Flight& flight, const Communicator& space) const;
     void finish_arrays(const Arrays& arrays, const Flight& flight) const;
@@ -116,7 +118,14 @@ private:
     Communicator communicator_;
     std::vector<Row> rows_;
     std::vector<Copies> copies_;    ///< rows_ with one source, on this rank, by target and source
-    std::vector<Row> blends_;       ///< rows_ with several sources, all on this rank
+    /// A source on this rank, small because there are many.
+    struct BlendSource {
+        LocalBlock block;
+        int offset;
+        double weight;
+    };
+    std::vector<Row> blends_;       ///< rows_ with several sources, all on this rank; counted in blend_sources_
+    std::vector<BlendSource> blend_sources_;
     std::vector<Row> arrivals_;     ///< rows_ with a source on another rank
     std::vector<Source> sources_;
     std::vector<std::vector<CellPlace>> wanted_from_here_; ///< [rank]: cells whose values that rank asks for

@@ -21,6 +21,7 @@ struct FieldInfo {
     std::string unit;
     int halo = 1;
     bool persistent = false; ///< carried from step to step, hence written to checkpoints
+    bool at_sub_faces = false; ///< filled halos include what is interpolated to the centres of sub-faces (sub_face_values.hpp)
 };
 
 /// Components of a vector quantity, each an array of its own.

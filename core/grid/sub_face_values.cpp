@@ -5,21 +5,17 @@
 #include <map>
 
 namespace core {
-namespace {
 
-/// Linear between the two layers of cells beside the sub-face, each interpolated to its centre.
-std::vector<HaloSource> centre_row(const Topology& topology, const JoinedSubFace& face)
+std::vector<HaloSource> centre_sources(const Topology& topology, const JoinedSubFace& face)
 {
-    auto row = layer_stencil(topology, face.on_a, 0);
-    for (HaloSource& s : row) s.weight *= 1 - face.weight;
+    auto sources = layer_stencil(topology, face.on_a, 0);
+    for (HaloSource& s : sources) s.weight *= 1 - face.weight;
     for (HaloSource s : layer_stencil(topology, face.on_b, 0)) {
         s.weight *= face.weight;
-        row.push_back(s);
+        sources.push_back(s);
     }
-    return row;
+    return sources;
 }
-
-} // namespace
 
 SubFaceValues sub_face_values(const Topology& topology, BlockId block)
 {
@@ -28,17 +24,17 @@ SubFaceValues sub_face_values(const Topology& topology, BlockId block)
     const auto add = [&](const SubFaceInterface& joint, const JoinedSubFace& face, bool is_a) {
         const BlockId other = is_a ? joint.contact.b : joint.contact.a;
         const Index3 beyond = is_a ? face.b : face.a;
-        const auto [place, is_new] = numbers.try_emplace({other, beyond.i, beyond.j, beyond.k}, int(values.rows.size()));
-        if (is_new) values.rows.push_back({{other, beyond, Vec3::Zero(), 1}});
-        values.faces.push_back({&face, is_a, is_a ? joint.contact.side_a : joint.contact.side_b, is_a ? face.a : face.b, place->second,
-                                int(values.rows.size())});
-        values.rows.push_back(centre_row(topology, face));
+        const auto [place, is_new] = numbers.try_emplace({other, beyond.i, beyond.j, beyond.k}, int(values.cells.size()));
+        if (is_new) values.cells.push_back({other, beyond, Vec3::Zero(), 1});
+        const Side side = is_a ? joint.contact.side_a : joint.contact.side_b;
+        values.faces.push_back({&face, is_a, side, is_a ? face.a : face.b, place->second, 0});
     };
     for (const SubFaceInterface& joint : topology.joints.interfaces)
         for (const bool is_a : {true, false}) {
             if ((is_a ? joint.contact.a : joint.contact.b) != block) continue;
             for (const JoinedSubFace& face : joint.faces) add(joint, face, is_a);
         }
+    for (std::size_t n = 0; n < values.faces.size(); ++n) values.faces[n].at_centre = int(values.cells.size() + n);
     return values;
 }
 

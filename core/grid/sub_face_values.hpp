@@ -17,11 +17,16 @@ struct BlockSubFace {
     int at_centre;  ///< number of the value at the centre of the sub-face
 };
 
+/// Values of cells beyond come first, then one for each sub-face.
 struct SubFaceValues {
-    std::vector<std::vector<HaloSource>> rows; ///< sources of each value behind the halo
-    std::vector<BlockSubFace> faces;           ///< in the order of the interfaces and their sub-faces
+    std::vector<HaloSource> cells;
+    std::vector<BlockSubFace> faces; ///< in the order of the interfaces and their sub-faces
+    [[nodiscard]] int count() const { return int(cells.size() + faces.size()); }
 };
 
 [[nodiscard]] SubFaceValues sub_face_values(const Topology& topology, BlockId block);
+
+/// What makes the value at the centre of a sub-face: linear between the two layers of cells beside it, each interpolated to the centre.
+[[nodiscard]] std::vector<HaloSource> centre_sources(const Topology& topology, const JoinedSubFace& face);
 
 } // namespace core

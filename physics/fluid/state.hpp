@@ -42,7 +42,7 @@ struct FluidClock {
 /// Fields of the fluid that are carried from step to step.
 struct FluidState {
     explicit FluidState(const core::Mesh& mesh)
-        : velocity({"velocity", "m/s", 3, true}, mesh.own_cells()),
+        : velocity({"velocity", "m/s", 3, true, true}, mesh.own_cells()),
           velocity_before({"velocity before", "m/s", 1, true}, mesh.own_cells()),
           pressure({"pressure", "Pa", 1, true}, mesh.own_cells()), flux({"volume flux", "m3/s", 0, true}, mesh.own_cells())
     {

@@ -19,7 +19,7 @@ struct FluidFields {
           index_velocity({"velocity in index space", "1/s", 1, false}, mesh.own_cells()),
           displacement({"displacement", "cells", 0, false}, mesh.own_cells()),
           advected({"advected velocity", "m/s", 0, false}, mesh.own_cells()),
-          predicted({"predicted velocity", "m/s", 1, false}, mesh.own_cells()),
+          predicted({"predicted velocity", "m/s", 1, false, true}, mesh.own_cells()),
           viscous_change({"viscous change of velocity", "m/s", 0, false}, mesh.own_cells()),
           face_scratch({"flux of a gradient", "", 0, false}, mesh.own_cells()),
           predicted_flux({"predicted volume flux", "m3/s", 0, false}, mesh.own_cells()),

@@ -7,6 +7,7 @@
 #include "core/grid/sub_face_values.hpp"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <map>
 
 namespace core {
@@ -92,7 +93,8 @@ void fill_face(BlockGeometry& g, const Topology& topology, BlockId block, int ax
     const Vec3 to = high_boundary ? shape.centre : centre(g, c);
     const Vec3 d = to - from;
     const double across = shape.area.dot(d), t = shape.area.squaredNorm() / across;
-    const Vec3 cross = shape.area - t * d;
+    constexpr double rounding = 1e-12;
+    const Vec3 rest = shape.area - t * d, cross = rest.norm() > rounding * shape.area.norm() ? rest : Vec3::Zero();
     const Vec3 apart = centre(g, c) - centre(g, shifted(c, axis, -1));
     FaceMetrics& f = g.face[std::size_t(axis)];
     f.inverse_square(c.i, c.j, c.k) = 1 / apart.squaredNorm();
@@ -186,6 +188,10 @@ BlockGeometry make_geometry(const MultiBlock& grid, const Topology& topology, Bl
     fill_faces(g, topology, v, block);
     bend_faces(g, topology, v, block);
     add_sub_faces(g, topology, v, block);
+    for (FaceMetrics& f : g.face)
+        f.straight = std::ranges::all_of(std::array{&f.cross_x, &f.cross_y, &f.cross_z}, [](const auto* cross) {
+            return std::ranges::all_of(cross->data(), [](double x) { return x == 0; });
+        });
     std::array<bool, 6> inside{}, all;
     all.fill(true);
     for (const Side s : all_sides) inside[std::size_t(s)] = !topology.at_boundary(block, s);

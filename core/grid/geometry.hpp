@@ -17,6 +17,7 @@ struct FaceMetrics {
     /// Two-point transmissibility |S|^2 / (S . d), over-relaxed; d joins the cell centres, or centre and wall [m].
     Array3<double> transmissibility;
     Array3<double> cross_x, cross_y, cross_z; ///< S - T d: what the two-point part leaves to the cell gradients [m2]
+    bool straight = false; ///< Everywhere nothing: d is normal to the faces.
     Array3<double> inverse_square; ///< 1 / |d|^2, d between the cell centres on both sides, mirrored beyond boundaries [1/m2]
     Array3<double> weight; ///< share of the upper cell in the linear interpolation to the face [-]
 };

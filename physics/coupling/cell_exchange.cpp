@@ -23,35 +23,39 @@ void fluid_velocity(CellVectors flux, const GrainSumViews& sums, core::VectorVie
 void predicted_velocity_change(const FluidOwn& own, const GrainSumViews& sums, CellVectors ledger, CellVectors miss,
                                core::VectorView<double> change)
 {
-    core::for_each_cell(own.velocity.x.extents(), [&](int i, int j, int k) {
-        const double phi = 1.0 - sums[sum_solid](i, j, k);
-        const GrainResponse response = predictor_sums(sums, i, j, k);
-        for (int c = 0; c < 3; ++c) {
-            const double force = own.density * own.drive[c] - own.pressure_gradient.component(c)(i, j, k);
-            const double u = own.velocity.component(c)(i, j, k);
-            const double taken = impulse_taken(sums[sum_impulse + std::size_t(c)](i, j, k), sums[sum_held](i, j, k), u);
-            const FluidPush push{ledger.component(c)(i, j, k), force, taken, u,
-                                 own.advected.component(c)(i, j, k), miss.component(c)(i, j, k)};
-            change.component(c)(i, j, k) = predicted_change(push, own.density * phi, phi, response, own.dt);
-        }
-    });
+    for (std::size_t c = 0; c < 3; ++c) {
+        const int axis = int(c);
+        const auto change_of = [density = own.density, dt = own.dt, drive = own.density * own.drive[axis]](
+                                   double solid, double impulse, double held, double reaction, double added, double u, double advected,
+                                   double gradient, double owed, double untold) {
+            const double phi = 1.0 - solid;
+            const FluidPush push{owed, drive - gradient, impulse_taken(impulse, held, u), u, advected, untold};
+            return predicted_change(push, density * phi, phi, {.reaction = reaction, .added = added}, dt);
+        };
+        map_cells(change.component(axis), change_of, sums[sum_solid], sums[sum_impulse + c], sums[sum_held], sums[sum_predictor], sums[sum_added],
+                  own.velocity.component(axis), own.advected.component(axis), own.pressure_gradient.component(axis), ledger.component(axis),
+                  miss.component(axis));
+    }
 }
 
 void predicted_volume_flux(const FluidOwn& own, const GrainSumViews& sums, CellVectors change, CellVectors miss,
                            core::View<double> known_mobility, core::VectorView<double> carried)
 {
-    core::for_each_cell(own.velocity.x.extents(), [&](int i, int j, int k) {
-        const double phi = 1.0 - sums[sum_solid](i, j, k);
-        const GrainResponse response = predictor_sums(sums, i, j, k);
-        const double known = (phi + response.flux) * own.dt * phi / (own.density * phi + response.reaction);
-        known_mobility(i, j, k) = known;
-        for (int c = 0; c < 3; ++c) {
-            const double du = change.component(c)(i, j, k);
-            const double flux = phi * (own.velocity.component(c)(i, j, k) + du) + sums[sum_flux + std::size_t(c)](i, j, k) +
-                                predicted_solid_flux(du, miss.component(c)(i, j, k), response);
-            carried.component(c)(i, j, k) = flux + known * own.pressure_gradient.component(c)(i, j, k);
-        }
-    });
+    const auto mobility_of = [density = own.density, dt = own.dt](double solid, double reaction, double flux) {
+        const double phi = 1.0 - solid;
+        return (phi + flux) * dt * phi / (density * phi + reaction);
+    };
+    map_cells(known_mobility, mobility_of, sums[sum_solid], sums[sum_predictor], sums[sum_predictor + 1]);
+    const auto flux_of = [](double solid, double solid_flux, double per_change, double per_miss, double u, double du, double untold,
+                            double known, double gradient) {
+        const double moved = predicted_solid_flux(du, untold, {.flux = per_change, .added_flux = per_miss});
+        return (1.0 - solid) * (u + du) + solid_flux + moved + known * gradient;
+    };
+    for (std::size_t c = 0; c < 3; ++c) {
+        const int axis = int(c);
+        map_cells(carried.component(axis), flux_of, sums[sum_solid], sums[sum_flux + c], sums[sum_predictor + 1], sums[sum_added + 1],
+                  own.velocity.component(axis), change.component(axis), miss.component(axis), known_mobility, own.pressure_gradient.component(axis));
+    }
 }
 
 void unpaid_impulse(const FluidOwn& own, const GrainSumViews& sums, const FluidAnswer& answer, core::VectorView<double> ledger)
@@ -74,12 +78,13 @@ void unpaid_impulse(const FluidOwn& own, const GrainSumViews& sums, const FluidA
 
 void projection_response(const GrainSumViews& sums, double density, double dt, core::View<double> response, core::View<double> mobility)
 {
-    core::for_each_cell(response.extents(), [&](int i, int j, int k) {
-        const double phi = 1.0 - sums[sum_solid](i, j, k);
-        const CellResponse cell = cell_response(density * phi, phi, projection_sums(sums, i, j, k), dt);
-        response(i, j, k) = cell.velocity;
-        mobility(i, j, k) = cell.mobility;
-    });
+    const auto cell = [density, dt](double solid, double reaction, double flux, double displaced) {
+        const double phi = 1.0 - solid;
+        return cell_response(density * phi, phi, {.reaction = reaction, .flux = flux, .displaced = displaced}, dt);
+    };
+    const auto solid = sums[sum_solid], reaction = sums[sum_projection], flux = sums[sum_projection + 1], displaced = sums[sum_projection + 2];
+    map_cells(response, [cell](auto... sum) { return cell(sum...).velocity; }, solid, reaction, flux, displaced);
+    map_cells(mobility, [cell](auto... sum) { return cell(sum...).mobility; }, solid, reaction, flux, displaced);
 }
 
 } // namespace physics

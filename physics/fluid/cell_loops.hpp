@@ -33,7 +33,7 @@ void map_faces(core::FaceView<double> out, Body body, const In&... in)
     for (int axis = 0; axis < 3; ++axis) map_cells(out.along(axis), body, in.along(axis)...);
 }
 
-/// Sum of term(in...) over the interior in a fixed order.
+/// Sum of term(in...) over the interior in a fixed order: that of the vector lanes of this build within rows.
 template <class Term, class First, class... In>
 [[nodiscard]] double sum_cells(Term term, const First& first, const In&... in)
 {
@@ -41,6 +41,7 @@ template <class Term, class First, class... In>
     double total = 0;
     const auto row = [&](auto... pointers) {
         double sum = 0;
+#pragma omp simd reduction(+ : sum)
         for (int i = 0; i < n.ni; ++i) sum += term(pointers[i]...);
         return sum;
     };

@@ -69,10 +69,10 @@ double OneCell::body_force(const Grain& grain) const
     return -(scene_.density_ratio - 1.0) * grain.coupling.volume * scene_.gravity;
 }
 
-/// @param free  Velocity at the end of the sub-step without contact.   @param give  Velocity per impulse.
-double OneCell::contact_impulse(const Grain& grain, Hold hold, const Lane& lane, double free, double give) const
+/// @param free  Velocity at the end of the sub-step, of length `h`, without contact.   @param give  Velocity per impulse.
+double OneCell::contact_impulse(const Grain& grain, Hold hold, const Lane& lane, double free, double give, double h) const
 {
-    const double stop = -free / give, h = scene_.dt / scene_.substeps;
+    const double stop = -free / give;
     if (hold == Hold::free || (hold == Hold::scene && scene_.contact == Contact::none)) return 0.0;
     if (hold == Hold::fixed || scene_.contact == Contact::locked) return stop;
     if (scene_.contact == Contact::stick_slip) {
@@ -102,7 +102,7 @@ OneCell::Lane OneCell::advance(const Grain& grain, const Told& told, int substep
     Lane lane{.velocity = grain.velocity, .place = grain.place};
     for (int k = 0; k < substeps; ++k) {
         const double free = decay * lane.velocity + drift;
-        const double impulse = contact_impulse(grain, hold, lane, free, give);
+        const double impulse = contact_impulse(grain, hold, lane, free, give, h);
         lane.place += 0.5 * h * lane.velocity;
         lane.velocity = free + give * impulse;
         lane.place += 0.5 * h * lane.velocity;

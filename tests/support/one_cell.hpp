@@ -65,7 +65,7 @@ private:
     [[nodiscard]] Lane advance(const Grain& grain, const Told& told, int substeps, Hold hold) const;
     [[nodiscard]] double told_to(const Grain& grain, const Told& told) const;
     [[nodiscard]] Lane predict(const Grain& grain, const Told& told, const Lane& real) const;
-    [[nodiscard]] double contact_impulse(const Grain& grain, Hold hold, const Lane& lane, double free, double give) const;
+    [[nodiscard]] double contact_impulse(const Grain& grain, Hold hold, const Lane& lane, double free, double give, double h) const;
     [[nodiscard]] double body_force(const Grain& grain) const;
     struct Pass;
     [[nodiscard]] Pass couple(const Told& told, double drive, const Pass* before) const;

@@ -27,13 +27,15 @@ void check_keys(const Boundary& boundary, const std::string& path, const Locatio
 
 void check_scalars(const Scene& scene, const Locations& locations, Problems& problems)
 {
-    constexpr std::array<std::string_view, 7> taken{"velocity", "pressure", "velocity before", "volume flux", "fluid fraction", "k", "epsilon"};
+    constexpr std::array<std::string_view, 7> taken{"velocity",       "pressure", "velocity before", "volume flux",
+                                                    "fluid fraction", "k",        "epsilon"};
     const auto& all = scene.fluid->scalars;
     for (std::size_t n = 0; n < all.size(); ++n) {
         const std::string path = fmt::format("fluid.scalars.{}", n);
         if (std::any_of(all.begin(), all.begin() + std::ptrdiff_t(n), [&](const Scalar& s) { return s.name == all[n].name; }) ||
             std::find(taken.begin(), taken.end(), all[n].name) != taken.end())
-            problems.add(locations.at(path + ".name"), fmt::format("the name '{}' is taken", all[n].name), "give each scalar a name of its own");
+            problems.add(locations.at(path + ".name"), fmt::format("the name '{}' is taken", all[n].name),
+                         "give each scalar a name of its own");
         if (!locations.good("grid") || !locations.good("grid.periodic") || all[n].entering.empty()) continue;
         const std::vector<std::string> names = boundary_names(scene.grid);
         for (std::size_t m = 0; m < all[n].entering.size(); ++m)
@@ -49,7 +51,8 @@ void check_turbulence(const Scene& scene, const Locations& locations, Problems& 
     const auto& all = scene.fluid->boundaries;
     const bool inflow = std::any_of(all.begin(), all.end(), [](const Boundary& b) { return b.kind == BoundaryKind::inflow; });
     if (!keys.speed && !inflow)
-        problems.add(locations.at("fluid.turbulence"), "turbulence needs 'speed' where nothing flows in", "add the speed of the flow, such as speed: 1 m/s");
+        problems.add(locations.at("fluid.turbulence"), "turbulence needs 'speed' where nothing flows in",
+                     "add the speed of the flow, such as speed: 1 m/s");
     if (scene.fluid->material.viscosity == 0)
         problems.add(locations.at("fluid.turbulence"), "turbulence needs a fluid with viscosity", "give the viscosity, or remove it");
 }

@@ -74,17 +74,16 @@ void CheckpointReader::field(const FieldViews<double>& field, const BlockList& b
         core::require<core::FileError>(extents_.contains(name), core::text(file_->path(), ": there is no field '", field.name, "'"));
         const auto& extents = extents_.at(name);
         const std::size_t count = hashes_.at(name).size(), width = count ? extents.size() / count : 0;
-        core::require<core::FileError>(count == std::size_t(blocks.total),
-                                       core::text(file_->path(), ": field '", field.name, "' has ", count,
-                                                  " blocks, this run has ", blocks.total));
+        core::require<core::FileError>(count == std::size_t(blocks.total), core::text(file_->path(), ": field '", field.name, "' has ",
+                                                                                      count, " blocks, this run has ", blocks.total));
         for (std::size_t b = 0; b < blocks.own.size(); ++b) {
             std::vector<std::int64_t> expected;
             for (const auto& view : field.blocks[b])
                 for (int axis = 0; axis < 3; ++axis) expected.push_back(view.extents()[axis]);
             const auto found = std::span(extents).subspan(std::size_t(blocks.own[b]) * width, width);
-            core::require<core::FileError>(std::ranges::equal(expected, found),
-                                           core::text(file_->path(), ": field '", field.name, "', block ", blocks.own[b],
-                                                      ": its size differs from that of this run"));
+            core::require<core::FileError>(
+                std::ranges::equal(expected, found),
+                core::text(file_->path(), ": field '", field.name, "', block ", blocks.own[b], ": its size differs from that of this run"));
             set_interior(field.blocks[b], block(name, blocks.own[b]));
         }
     });
@@ -152,10 +151,8 @@ void CheckpointReader::verify() const
                 }
                 const std::int64_t first = std::int64_t(part) * rows_per_hash;
                 const std::int64_t count = std::min(rows_per_hash, file_->shape(name + "/values").total - first);
-                if (file_->integers(name + "/values"))
-                    (void)checked_rows<std::int64_t>(name, first, count);
-                else
-                    (void)checked_rows<double>(name, first, count);
+                if (file_->integers(name + "/values")) (void)checked_rows<std::int64_t>(name, first, count);
+                else (void)checked_rows<double>(name, first, count);
             }
     });
 }

@@ -68,8 +68,7 @@ CheckpointWriter::CheckpointWriter(const std::string& directory, std::int64_t st
         if (ranks_.rank() != 0) return;
         make_directory(directory);
         for (const auto& entry : fs::directory_iterator(directory))
-            if (entry.path().extension() == part && entry.path().filename().string().starts_with("checkpoint_"))
-                fs::remove(entry.path());
+            if (entry.path().extension() == part && entry.path().filename().string().starts_with("checkpoint_")) fs::remove(entry.path());
         make_empty_file(temporary_);
     });
     hdf5::together(ranks_, [&] { file_ = hdf5::File::create(temporary_, ranks_, hdf5::Format::checked); });
@@ -114,8 +113,7 @@ void CheckpointWriter::field(const FieldViews<const double>& field, const BlockL
 }
 
 template <class T>
-void CheckpointWriter::rows(const std::string& name, std::span<const T> values, int components, std::int64_t first,
-                            std::int64_t total)
+void CheckpointWriter::rows(const std::string& name, std::span<const T> values, int components, std::int64_t first, std::int64_t total)
 {
     const std::int64_t count = std::int64_t(values.size()) / components;
     Hashes hashes = row_hashes(std::as_bytes(values), sizeof(T) * std::size_t(components), first, total);
@@ -127,8 +125,7 @@ void CheckpointWriter::rows(const std::string& name, std::span<const T> values, 
 }
 
 template void CheckpointWriter::rows<double>(const std::string&, std::span<const double>, int, std::int64_t, std::int64_t);
-template void CheckpointWriter::rows<std::int64_t>(const std::string&, std::span<const std::int64_t>, int, std::int64_t,
-                                                   std::int64_t);
+template void CheckpointWriter::rows<std::int64_t>(const std::string&, std::span<const std::int64_t>, int, std::int64_t, std::int64_t);
 
 void CheckpointWriter::scalar(const std::string& name, double value)
 {

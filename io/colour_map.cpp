@@ -9,10 +9,7 @@
 namespace io {
 namespace {
 
-double gamma(double linear)
-{
-    return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
-}
+double gamma(double linear) { return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055; }
 
 Colour from_hue(double lightness, double chroma, double degrees)
 {
@@ -28,8 +25,7 @@ Colour from_oklab(double lightness, double a, double b)
     const double medium_root = lightness - 0.1055613458 * a - 0.0638541728 * b;
     const double short_root = lightness - 0.0894841775 * a - 1.2914855480 * b;
     const double l = std::pow(long_root, 3), m = std::pow(medium_root, 3), s = std::pow(short_root, 3);
-    const double rgb[3] = {+4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s,
-                           -1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s,
+    const double rgb[3] = {+4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s, -1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s,
                            -0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s};
     Colour colour{};
     for (std::size_t c = 0; c < 3; ++c) colour[c] = float(gamma(std::clamp(rgb[c], 0.0, 1.0)));

@@ -26,7 +26,8 @@ std::vector<double> exact_sums(const core::Communicator& ranks, const std::vecto
     ranks.sum(parts);
     std::vector<double> sums;
     for (std::size_t c = 0; c < columns.size(); ++c)
-        sums.push_back(std::ldexp(double(parts[2 * c]), exponents[c] - bits) + std::ldexp(double(parts[2 * c + 1]), exponents[c] - 2 * bits));
+        sums.push_back(std::ldexp(double(parts[2 * c]), exponents[c] - bits) +
+                       std::ldexp(double(parts[2 * c + 1]), exponents[c] - 2 * bits));
     return sums;
 }
 

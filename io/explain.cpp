@@ -11,64 +11,55 @@ namespace io {
 
 namespace {
 
-    class KeyCollector final : public Schema {
-    public:
-        KeyCollector(std::vector<KeyEntry>& keys, std::string path) : keys_(keys), path_(std::move(path)) {}
+class KeyCollector final : public Schema {
+public:
+    KeyCollector(std::vector<KeyEntry>& keys, std::string path) : keys_(keys), path_(std::move(path)) {}
 
-        void exactly_one(const std::vector<std::string>&) override {}
+    void exactly_one(const std::vector<std::string>&) override {}
 
-    private:
-        void on_value(const Leaf& leaf) override
-        {
-            const std::string written = leaf.need == Need::required ? "" : leaf.value.write();
-            const std::string need = leaf.need == Need::required ? "required"
-                                     : written.empty()           ? "optional"
-                                                                 : "default " + written;
-            keys_.push_back({path_ + leaf.key, leaf.meaning, form_of(leaf.value), need});
-        }
-
-        void on_group(const Group& group) override
-        {
-            const std::string need = group.need == Need::required ? "required" : "optional";
-            add_group(group.key, group.meaning, need, group.key + ".", group.example);
-        }
-
-        void on_list(const List& list) override
-        {
-            add_group(list.key, list.meaning, "optional, a list", list.key + ".*.", list.example);
-        }
-
-        void add_group(const std::string& key, const std::string& meaning, const std::string& need,
-                       const std::string& inner_path, const std::function<void(Schema&)>& example)
-        {
-            keys_.push_back({path_ + key, meaning, "", need});
-            KeyCollector inner(keys_, path_ + inner_path);
-            example(inner);
-        }
-
-        std::vector<KeyEntry>& keys_;
-        std::string path_;
-    };
-
-    [[nodiscard]] std::string text_of(const KeyEntry& key)
+private:
+    void on_value(const Leaf& leaf) override
     {
-        std::string text = fmt::format("{}\n    {}\n", key.path, key.meaning);
-        if (!key.is_group()) text += fmt::format("    write:  {}\n", key.form);
-        return text + fmt::format("    given:  {}\n", key.need);
+        const std::string written = leaf.need == Need::required ? "" : leaf.value.write();
+        const std::string need = leaf.need == Need::required ? "required" : written.empty() ? "optional" : "default " + written;
+        keys_.push_back({path_ + leaf.key, leaf.meaning, form_of(leaf.value), need});
     }
 
-    [[nodiscard]] std::string last_step(const std::string& path)
+    void on_group(const Group& group) override
     {
-        return path.substr(path.rfind('.') + 1);
+        const std::string need = group.need == Need::required ? "required" : "optional";
+        add_group(group.key, group.meaning, need, group.key + ".", group.example);
     }
 
-    /// The whole path (with or without the stars of lists), or its end.
-    [[nodiscard]] bool means(const std::string& word, std::string path)
+    void on_list(const List& list) override { add_group(list.key, list.meaning, "optional, a list", list.key + ".*.", list.example); }
+
+    void add_group(const std::string& key, const std::string& meaning, const std::string& need, const std::string& inner_path,
+                   const std::function<void(Schema&)>& example)
     {
-        if (const auto star = path.find(".*"); star != std::string::npos && word.find('*') == std::string::npos)
-            path.erase(star, 2);
-        return path == word || path.ends_with("." + word);
+        keys_.push_back({path_ + key, meaning, "", need});
+        KeyCollector inner(keys_, path_ + inner_path);
+        example(inner);
     }
+
+    std::vector<KeyEntry>& keys_;
+    std::string path_;
+};
+
+[[nodiscard]] std::string text_of(const KeyEntry& key)
+{
+    std::string text = fmt::format("{}\n    {}\n", key.path, key.meaning);
+    if (!key.is_group()) text += fmt::format("    write:  {}\n", key.form);
+    return text + fmt::format("    given:  {}\n", key.need);
+}
+
+[[nodiscard]] std::string last_step(const std::string& path) { return path.substr(path.rfind('.') + 1); }
+
+/// The whole path (with or without the stars of lists), or its end.
+[[nodiscard]] bool means(const std::string& word, std::string path)
+{
+    if (const auto star = path.find(".*"); star != std::string::npos && word.find('*') == std::string::npos) path.erase(star, 2);
+    return path == word || path.ends_with("." + word);
+}
 
 } // namespace
 
@@ -98,8 +89,7 @@ std::string explain(const std::string& key)
     if (!text.empty()) return text;
     const std::string near = nearest(key, names);
     throw core::ConfigError(fmt::format("there is no key '{}'; {}", key,
-                                        near.empty() ? "`isago explain` shows all keys"
-                                                     : fmt::format("did you mean '{}'?", near)));
+                                        near.empty() ? "`isago explain` shows all keys" : fmt::format("did you mean '{}'?", near)));
 }
 
 } // namespace io

@@ -40,7 +40,8 @@ std::string bad_field(World& world)
         for (core::LocalBlock b = 0; b < world.mesh().own_count() && found.empty(); ++b)
             for (const auto& array : all.blocks[std::size_t(b)])
                 if (const auto c = bad_cell(array)) {
-                    found = core::text("field '", all.name, "' is not finite in block ", world.mesh().global(b), ", cell (", c->i, ", ", c->j, ", ", c->k, ")");
+                    found = core::text("field '", all.name, "' is not finite in block ", world.mesh().global(b), ", cell (", c->i, ", ",
+                                       c->j, ", ", c->k, ")");
                     break;
                 }
     });
@@ -89,7 +90,8 @@ void require_finite(World& world)
     if (any == 0.0) return;
     for (const auto& bytes : world.ranks().gather_all(std::as_bytes(std::span(found))))
         if (!bytes.empty())
-            throw core::NumericsError(core::text(std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size()), " at t = ", world.time(), " s"));
+            throw core::NumericsError(
+                core::text(std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size()), " at t = ", world.time(), " s"));
 }
 
 } // namespace io

@@ -72,13 +72,15 @@ core::MultiBlock blocks_of(const BentPipeGrid& pipe, const Grid& grid)
     p.wing_cells = pipe.across / 4;
     p.core_fraction = pipe.core_fraction;
     for (const PipePieceGrid& piece : pipe.pieces)
-        p.pieces.push_back({piece.length.value_or(0), piece.angle.value_or(0), piece.radius.value_or(0), piece.towards, piece.cells, piece.blocks});
+        p.pieces.push_back(
+            {piece.length.value_or(0), piece.angle.value_or(0), piece.radius.value_or(0), piece.towards, piece.cells, piece.blocks});
     p.periodic = !grid.periodic.empty();
     core::MultiBlock made = core::make_bent_pipe(p);
     for (const core::Vec3& period : made.periods)
         for (int axis = 0; axis < 3; ++axis)
-            core::require<core::ConfigError>(std::abs(period[axis]) < 1e-9 * period.norm() || grid.is_periodic(axis),
-                                             core::text("the ends of the pipe are apart by (", period.transpose(), ") m: this must be along the periodic axis"));
+            core::require<core::ConfigError>(
+                std::abs(period[axis]) < 1e-9 * period.norm() || grid.is_periodic(axis),
+                core::text("the ends of the pipe are apart by (", period.transpose(), ") m: this must be along the periodic axis"));
     return made;
 }
 
@@ -131,10 +133,11 @@ void generate_inside(const EllipticKeys& keys, core::MultiBlock& blocks)
     const auto results = core::make_elliptic(blocks, elliptic_of(keys));
     for (std::size_t b = 0; b < results.size(); ++b) {
         const auto [iterations, move, share, error] = results[b];
-        core::require<core::ConfigError>(share == 1, core::text("block ", b, ": cells fold under what is asked in 'elliptic'; it holds with ", share,
-                                                                " of it: weaken attractions or spacings"));
-        core::require<core::ConfigError>(error < tolerance, core::text("block ", b, ": the first cells miss the height that is asked by ", 100 * error,
-                                                                       " %: ask for less growth, or take more cells"));
+        core::require<core::ConfigError>(share == 1,
+                                         core::text("block ", b, ": cells fold under what is asked in 'elliptic'; it holds with ", share,
+                                                    " of it: weaken attractions or spacings"));
+        core::require<core::ConfigError>(error < tolerance, core::text("block ", b, ": the first cells miss the height that is asked by ",
+                                                                       100 * error, " %: ask for less growth, or take more cells"));
     }
 }
 
@@ -143,8 +146,9 @@ void generate_inside(const EllipticKeys& keys, core::MultiBlock& blocks)
 core::MultiBlock make_blocks(const Grid& grid)
 {
     core::MultiBlock blocks = blocks_of_shape(grid);
-    core::require<core::ConfigError>(!grid.elliptic || blocks.contacts.empty(),
-                                     "insides of blocks whose points do not match where they touch cannot be generated yet: remove 'elliptic'");
+    core::require<core::ConfigError>(
+        !grid.elliptic || blocks.contacts.empty(),
+        "insides of blocks whose points do not match where they touch cannot be generated yet: remove 'elliptic'");
     if (grid.elliptic) generate_inside(*grid.elliptic, blocks);
     if (grid.blocks || grid.bent_pipe) core::require_apart(blocks);
     return blocks;

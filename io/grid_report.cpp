@@ -11,59 +11,61 @@ namespace io {
 
 namespace {
 
-    using core::BlockId, core::Side;
+using core::BlockId, core::Side;
 
-    constexpr int most_blocks_shown = 40;
+constexpr int most_blocks_shown = 40;
 
-    /// The sides that lie on a side without matching points: "1.i_low and 2.i_low (sub-faces)".
-    [[nodiscard]] std::string joined(const core::Topology& topology, BlockId block, Side side)
-    {
-        std::string text;
-        for (const core::SubFaceInterface& joint : topology.joints.interfaces) {
-            const core::SideContact& c = joint.contact;
-            const auto add = [&](BlockId other, Side side_there) {
-                text += fmt::format("{}{}.{}", text.empty() ? "" : " and ", other, core::side_words[std::size_t(side_there)]);
-            };
-            if (c.a == block && c.side_a == side) add(c.b, c.side_b);
-            if (c.b == block && c.side_b == side) add(c.a, c.side_a);
-        }
-        return text + " (sub-faces)";
+/// The sides that lie on a side without matching points: "1.i_low and 2.i_low (sub-faces)".
+[[nodiscard]] std::string joined(const core::Topology& topology, BlockId block, Side side)
+{
+    std::string text;
+    for (const core::SubFaceInterface& joint : topology.joints.interfaces) {
+        const core::SideContact& c = joint.contact;
+        const auto add = [&](BlockId other, Side side_there) {
+            text += fmt::format("{}{}.{}", text.empty() ? "" : " and ", other, core::side_words[std::size_t(side_there)]);
+        };
+        if (c.a == block && c.side_a == side) add(c.b, c.side_b);
+        if (c.b == block && c.side_b == side) add(c.a, c.side_a);
     }
+    return text + " (sub-faces)";
+}
 
-    [[nodiscard]] std::string beyond(const core::Topology& topology, BlockId block, Side side)
-    {
-        if (const auto& n = topology.neighbour(block, side))
-            return fmt::format("{}.{}{}", n->block, core::side_words[std::size_t(n->side)], n->shift.isZero(0) ? "" : " (periodic)");
-        if (topology.joints.joins(block, side)) return joined(topology, block, side);
-        const auto boundary = std::find_if(topology.boundaries.begin(), topology.boundaries.end(),
-                                           [&](const core::Boundary& b) { return b.block == block && b.side == side; });
-        return boundary->name;
-    }
+[[nodiscard]] std::string beyond(const core::Topology& topology, BlockId block, Side side)
+{
+    if (const auto& n = topology.neighbour(block, side))
+        return fmt::format("{}.{}{}", n->block, core::side_words[std::size_t(n->side)], n->shift.isZero(0) ? "" : " (periodic)");
+    if (topology.joints.joins(block, side)) return joined(topology, block, side);
+    const auto boundary = std::find_if(topology.boundaries.begin(), topology.boundaries.end(),
+                                       [&](const core::Boundary& b) { return b.block == block && b.side == side; });
+    return boundary->name;
+}
 
-    [[nodiscard]] std::string line_of(const core::Topology& topology, BlockId block)
-    {
-        const core::Extents n = topology.cells[std::size_t(block)];
-        std::string line = fmt::format("  block {}: {} x {} x {} cells", block, n.ni, n.nj, n.nk);
-        for (const Side side : core::all_sides)
-            line += fmt::format("{} {} {}", side == Side::i_low ? ";" : ",", core::side_words[std::size_t(side)], beyond(topology, block, side));
-        return line;
-    }
+[[nodiscard]] std::string line_of(const core::Topology& topology, BlockId block)
+{
+    const core::Extents n = topology.cells[std::size_t(block)];
+    std::string line = fmt::format("  block {}: {} x {} x {} cells", block, n.ni, n.nj, n.nk);
+    for (const Side side : core::all_sides)
+        line +=
+            fmt::format("{} {} {}", side == Side::i_low ? ";" : ",", core::side_words[std::size_t(side)], beyond(topology, block, side));
+    return line;
+}
 
-    [[nodiscard]] std::string at(const core::WorstCell& worst)
-    {
-        return fmt::format("in cell ({}, {}, {}) of block {}", worst.cell.i, worst.cell.j, worst.cell.k, worst.block);
-    }
+[[nodiscard]] std::string at(const core::WorstCell& worst)
+{
+    return fmt::format("in cell ({}, {}, {}) of block {}", worst.cell.i, worst.cell.j, worst.cell.k, worst.block);
+}
 
-    [[nodiscard]] std::string quality_text(const core::Mesh& mesh)
-    {
-        std::vector<core::Vertices> blocks;
-        for (BlockId b = 0; b < mesh.blocks(); ++b) blocks.push_back(mesh.vertices(b));
-        const core::GridQuality q = core::quality_of(blocks, mesh.topology());
-        return fmt::format("\n  smallest corner Jacobian {:.3g} of a brick's, {}", q.jacobian.value, at(q.jacobian)) +
-               fmt::format("\n  largest skewness {:.1f} degrees off a right angle, {}", q.skewness.value * 180 / std::numbers::pi, at(q.skewness)) +
-               fmt::format("\n  largest aspect ratio {:.3g}, {}", q.aspect_ratio.value, at(q.aspect_ratio)) +
-               fmt::format("\n  largest growth from cell to cell {:.3g}, {}", q.growth.value, at(q.growth));
-    }
+[[nodiscard]] std::string quality_text(const core::Mesh& mesh)
+{
+    std::vector<core::Vertices> blocks;
+    for (BlockId b = 0; b < mesh.blocks(); ++b) blocks.push_back(mesh.vertices(b));
+    const core::GridQuality q = core::quality_of(blocks, mesh.topology());
+    return fmt::format("\n  smallest corner Jacobian {:.3g} of a brick's, {}", q.jacobian.value, at(q.jacobian)) +
+           fmt::format("\n  largest skewness {:.1f} degrees off a right angle, {}", q.skewness.value * 180 / std::numbers::pi,
+                       at(q.skewness)) +
+           fmt::format("\n  largest aspect ratio {:.3g}, {}", q.aspect_ratio.value, at(q.aspect_ratio)) +
+           fmt::format("\n  largest growth from cell to cell {:.3g}, {}", q.growth.value, at(q.growth));
+}
 
 } // namespace
 

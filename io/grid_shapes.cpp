@@ -17,7 +17,8 @@ void describe(Schema& s, SpacingKeys& p)
 {
     s.required("boundary", p.boundary, "", "Name of the boundary, as `isago plan` lists it");
     s.required("first_cell", p.first_cell, "m", "Height of the cells at the boundary", positive);
-    s.value("growth", p.growth, "1", "Largest ratio of one cell to the next; where walls curve, a little more if the height needs it", at_least(1.0));
+    s.value("growth", p.growth, "1", "Largest ratio of one cell to the next; where walls curve, a little more if the height needs it",
+            at_least(1.0));
 }
 
 void describe(Schema& s, AttractionKeys& p)
@@ -35,7 +36,8 @@ void describe(Schema& s, EllipticKeys& p)
     s.list("spacing", p.spacing, "Heights of the cells at boundaries");
     s.list("attract", p.attract, "Places in index space that pull grid lines together: surfaces, lines and points");
     s.value("smooth", "Names of plane boundaries whose own vertices are generated too", optional_list(p.smooth));
-    s.value("curvature", "spline: second order, as in Ushijima & Nezu (2001); compact: fourth order", choice_of(p.curvature, curvature_words));
+    s.value("curvature", "spline: second order, as in Ushijima & Nezu (2001); compact: fourth order",
+            choice_of(p.curvature, curvature_words));
 }
 
 void describe(Schema& s, WavyBoxGrid& p)
@@ -91,8 +93,10 @@ void describe(Schema& s, SteppedChannelGrid& p)
     s.value("cells_height", p.cells_height, "", "Cells over the height of the shallow part", at_least(1));
     s.value("cells_step", p.cells_step, "", "Cells over the step", at_least(1));
     s.value("cells_across", p.cells_across, "", "Cells over the width", at_least(1));
-    s.value("deep_cells_height", p.deep_cells_height, "", "Cells of the deep part over the height of the shallow one, if not as many: points of the "
-            "two parts then need not match", at_least(1));
+    s.value("deep_cells_height", p.deep_cells_height, "",
+            "Cells of the deep part over the height of the shallow one, if not as many: points of the "
+            "two parts then need not match",
+            at_least(1));
     s.value("deep_cells_across", p.deep_cells_across, "", "Cells of the deep part over the width, if not as many", at_least(1));
     s.value("blocks_shallow", p.blocks_shallow, "", "Blocks along the shallow part", at_least(1));
     s.value("blocks_deep", p.blocks_deep, "", "Blocks along the deep part", at_least(1));
@@ -102,15 +106,18 @@ void describe(Schema& s, SteppedChannelGrid& p)
 void describe(Schema& s, NamedSides& p)
 {
     s.required("name", p.name, "", "Name of the boundary");
-    s.required("sides", "Its sides, such as [0.k_low, 3.k_low]: number of the block in the file, from 0, and one of i_low, i_high, j_low, "
-                        "j_high, k_low, k_high", list_value(p.sides, ""));
+    s.required("sides",
+               "Its sides, such as [0.k_low, 3.k_low]: number of the block in the file, from 0, and one of i_low, i_high, j_low, "
+               "j_high, k_low, k_high",
+               list_value(p.sides, ""));
 }
 
 void describe(Schema& s, ImportedGrid& p)
 {
     s.required("file", p.file, "", "Plot3D file, text or binary, one block or many; relative to the folder of the scene");
     s.value("unit", p.unit, "m", "Length that the number 1 in the file stands for", positive);
-    s.value("tolerance", p.tolerance, "1", "Points of sides that meet are at most this share of the side's smallest edge apart", between(1e-12, 0.2));
+    s.value("tolerance", p.tolerance, "1", "Points of sides that meet are at most this share of the side's smallest edge apart",
+            between(1e-12, 0.2));
     s.value("period", p.period, "m", "Lengths after which the domain repeats along its periodic axes; without it, the extent of the grid");
     s.list("boundaries", p.boundaries, "Names of sides that meet no other");
     s.value("other_sides", p.other_sides, "", "Name of all sides that meet no other and have no name; without it, each must be named");

@@ -34,9 +34,9 @@ struct AnnulusGrid {
 
 /// A straight piece or an arc of a bent pipe.
 struct PipePieceGrid {
-    std::optional<double> length;      ///< of a straight piece [m]
-    std::optional<double> angle;       ///< of an arc [rad]
-    std::optional<double> radius;      ///< of the axis of an arc [m]
+    std::optional<double> length;             ///< of a straight piece [m]
+    std::optional<double> angle;              ///< of an arc [rad]
+    std::optional<double> radius;             ///< of the axis of an arc [m]
     core::Vec3 towards = core::Vec3::UnitY(); ///< side to which an arc bends
     int cells = 16, blocks = 1;
     bool operator==(const PipePieceGrid&) const = default;
@@ -68,9 +68,9 @@ struct NamedSides {
 
 /// Blocks from a Plot3D file.
 struct ImportedGrid {
-    std::string file;      ///< absolute, or relative to the scene's folder until the scene is read
-    double unit = 1.0;     ///< length that the number 1 stands for [m]
-    double tolerance = 1e-6; ///< within which points meet, over the smallest edge of their side
+    std::string file;                 ///< absolute, or relative to the scene's folder until the scene is read
+    double unit = 1.0;                ///< length that the number 1 stands for [m]
+    double tolerance = 1e-6;          ///< within which points meet, over the smallest edge of their side
     std::optional<core::Vec3> period; ///< of the axes that repeat [m]; without it, the extent of the grid
     std::vector<NamedSides> boundaries;
     std::optional<std::string> other_sides; ///< name of all sides that meet no other and have no name

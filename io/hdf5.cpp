@@ -39,8 +39,7 @@ Handle file_access(const core::Communicator* ranks)
     Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
     H5Pset_fclose_degree(access.get(), H5F_CLOSE_STRONG);
     H5Pset_file_locking(access.get(), false, true); // shared file systems often have no locks
-    if (ranks && ranks->size() > 1)
-        H5Pset_fapl_mpio(access.get(), *static_cast<const MPI_Comm*>(ranks->native()), MPI_INFO_NULL);
+    if (ranks && ranks->size() > 1) H5Pset_fapl_mpio(access.get(), *static_cast<const MPI_Comm*>(ranks->native()), MPI_INFO_NULL);
     return access;
 }
 
@@ -95,10 +94,8 @@ File::File(std::string path, Handle file, std::optional<core::Communicator> writ
 File File::create(const std::string& path, const core::Communicator& ranks, Format format)
 {
     const Handle access = file_access(&ranks);
-    if (format == Format::checked)
-        H5Pset_libver_bounds(access.get(), H5F_LIBVER_V110, H5F_LIBVER_V110);
-    else
-        H5Pset_libver_bounds(access.get(), H5F_LIBVER_EARLIEST, H5F_LIBVER_V18);
+    if (format == Format::checked) H5Pset_libver_bounds(access.get(), H5F_LIBVER_V110, H5F_LIBVER_V110);
+    else H5Pset_libver_bounds(access.get(), H5F_LIBVER_EARLIEST, H5F_LIBVER_V18);
     return {path, {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get()), H5Fclose}, ranks};
 }
 
@@ -129,8 +126,7 @@ void File::write(const std::string& name, std::span<const T> values, const Rows&
 {
     reserve(std::size_t(rows.total) * std::size_t(rows.components) * sizeof(T));
     const Handle space = space_of(rows), list = creation(rows, packing), links = link_creation();
-    Handle data(H5Dcreate2(file_.get(), name.c_str(), type_of<T>(), space.get(), links.get(), list.get(), H5P_DEFAULT),
-                H5Dclose);
+    Handle data(H5Dcreate2(file_.get(), name.c_str(), type_of<T>(), space.get(), links.get(), list.get(), H5P_DEFAULT), H5Dclose);
     check(data.valid(), "create dataset", name);
     const Handle memory = select(space.get(), rows.mine, rows.components);
     if (hsize_t(H5Sget_select_npoints(space.get())) != values.size())

@@ -101,8 +101,7 @@ public:
 private:
     File(std::string path, Handle file, std::optional<core::Communicator> writers);
     void reserve(std::size_t bytes);
-    void set_attribute(const std::string& object, const std::string& name, std::pair<hid_t, hid_t> type_and_space,
-                       const void* value);
+    void set_attribute(const std::string& object, const std::string& name, std::pair<hid_t, hid_t> type_and_space, const void* value);
     [[nodiscard]] Handle attribute(const std::string& object, const std::string& name) const;
     [[nodiscard]] Handle dataset(const std::string& name) const;
     /// Throws unless `good`; the message says what could not be done with which part, and HDF5's own reason.

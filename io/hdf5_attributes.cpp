@@ -8,13 +8,11 @@
 
 namespace io::hdf5 {
 
-void File::set_attribute(const std::string& object, const std::string& name, std::pair<hid_t, hid_t> type_and_space,
-                         const void* value)
+void File::set_attribute(const std::string& object, const std::string& name, std::pair<hid_t, hid_t> type_and_space, const void* value)
 {
     make_group(object);
     const auto [type, space] = type_and_space;
-    const Handle attribute(H5Acreate_by_name(file_.get(), object.c_str(), name.c_str(), type, space, H5P_DEFAULT,
-                                             H5P_DEFAULT, H5P_DEFAULT),
+    const Handle attribute(H5Acreate_by_name(file_.get(), object.c_str(), name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
                            H5Aclose);
     check(attribute.valid() && H5Awrite(attribute.get(), type, value) >= 0, "write attribute", object + ":" + name);
 }
@@ -48,8 +46,7 @@ std::vector<std::string> File::attributes(const std::string& object) const
         static_cast<std::vector<std::string>*>(out)->emplace_back(name);
         return 0;
     };
-    const herr_t status = H5Aiterate_by_name(file_.get(), object.c_str(), H5_INDEX_NAME, H5_ITER_INC, nullptr, add, &names,
-                                             H5P_DEFAULT);
+    const herr_t status = H5Aiterate_by_name(file_.get(), object.c_str(), H5_INDEX_NAME, H5_ITER_INC, nullptr, add, &names, H5P_DEFAULT);
     check(status >= 0, "list the attributes of", object);
     std::sort(names.begin(), names.end());
     return names;
@@ -66,15 +63,14 @@ double File::number_attribute(const std::string& object, const std::string& name
 {
     const Handle found = attribute(object, name), space(H5Aget_space(found.get()), H5Sclose);
     double value = 0.0;
-    check(H5Sget_simple_extent_npoints(space.get()) == 1 && H5Aread(found.get(), H5T_NATIVE_DOUBLE, &value) >= 0,
-          "read attribute", object + ":" + name);
+    check(H5Sget_simple_extent_npoints(space.get()) == 1 && H5Aread(found.get(), H5T_NATIVE_DOUBLE, &value) >= 0, "read attribute",
+          object + ":" + name);
     return value;
 }
 
 std::string File::text_attribute(const std::string& object, const std::string& name) const
 {
-    const Handle found = attribute(object, name), space(H5Aget_space(found.get()), H5Sclose),
-                 type(H5Aget_type(found.get()), H5Tclose);
+    const Handle found = attribute(object, name), space(H5Aget_space(found.get()), H5Sclose), type(H5Aget_type(found.get()), H5Tclose);
     const bool text = H5Tget_class(type.get()) == H5T_STRING && H5Sget_simple_extent_npoints(space.get()) == 1;
     check(text && H5Tis_variable_str(type.get()) == 0, "understand attribute", object + ":" + name);
     std::string value(H5Tget_size(type.get()), '\0');

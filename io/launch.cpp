@@ -19,47 +19,46 @@ namespace io {
 
 namespace {
 
-    constexpr int command_not_found = 127; // what a shell returns, too
+constexpr int command_not_found = 127; // what a shell returns, too
 
-    /// In the child: a process group of its own, which Ctrl-C of the terminal does not reach.
-    [[noreturn]] void become_mpirun(const Launch& launch, const sigset_t& signals)
-    {
-        if (isatty(STDOUT_FILENO) == 1) setenv(terminal_variable, "1", 1);
-        for (const auto& [name, value] : launch.environment) setenv(name.c_str(), value.c_str(), 0);
-        std::vector<char*> arguments;
-        for (const auto& word : launch.command) arguments.push_back(const_cast<char*>(word.c_str()));
-        arguments.push_back(nullptr);
-        setpgid(0, 0);
-        if (const int nothing = open("/dev/null", O_RDONLY); nothing >= 0) dup2(nothing, STDIN_FILENO);
-        sigprocmask(SIG_SETMASK, &signals, nullptr);
-        execvp(arguments.front(), arguments.data());
-        _exit(command_not_found);
-    }
+/// In the child: a process group of its own, which Ctrl-C of the terminal does not reach.
+[[noreturn]] void become_mpirun(const Launch& launch, const sigset_t& signals)
+{
+    if (isatty(STDOUT_FILENO) == 1) setenv(terminal_variable, "1", 1);
+    for (const auto& [name, value] : launch.environment) setenv(name.c_str(), value.c_str(), 0);
+    std::vector<char*> arguments;
+    for (const auto& word : launch.command) arguments.push_back(const_cast<char*>(word.c_str()));
+    arguments.push_back(nullptr);
+    setpgid(0, 0);
+    if (const int nothing = open("/dev/null", O_RDONLY); nothing >= 0) dup2(nothing, STDIN_FILENO);
+    sigprocmask(SIG_SETMASK, &signals, nullptr);
+    execvp(arguments.front(), arguments.data());
+    _exit(command_not_found);
+}
 
-    /// Passes signals on until the child has ended. @returns its exit code.
-    [[nodiscard]] int wait_for(pid_t child, const sigset_t& waited)
-    {
-        bool asked = false;
-        for (;;) {
-            const int signal = sigwaitinfo(&waited, nullptr);
-            int status = 0;
-            if (waitpid(child, &status, WNOHANG) == child)
-                return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-            if (signal != SIGINT && signal != SIGTERM && signal != SIGUSR1) continue;
-            kill(child, asked && signal != SIGUSR1 ? SIGTERM : signal_to_ranks(signal));
-            asked = true;
-        }
+/// Passes signals on until the child has ended. @returns its exit code.
+[[nodiscard]] int wait_for(pid_t child, const sigset_t& waited)
+{
+    bool asked = false;
+    for (;;) {
+        const int signal = sigwaitinfo(&waited, nullptr);
+        int status = 0;
+        if (waitpid(child, &status, WNOHANG) == child) return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+        if (signal != SIGINT && signal != SIGTERM && signal != SIGUSR1) continue;
+        kill(child, asked && signal != SIGUSR1 ? SIGTERM : signal_to_ranks(signal));
+        asked = true;
     }
+}
 
 } // namespace
 
 namespace {
 
-    constexpr const char* spin_variable = "GOMP_SPINCOUNT";
+constexpr const char* spin_variable = "GOMP_SPINCOUNT";
 
-    /// Turns of a loop of some 50 ns: none where threads are more than cores. More than 1000 gain nothing on idle cores, and
-    /// double the time on busy ones.
-    std::string openmp_spin(int threads_of_all_ranks, int cores) { return threads_of_all_ranks > cores ? "0" : "1000"; }
+/// Turns of a loop of some 50 ns: none where threads are more than cores. More than 1000 gain nothing on idle cores, and
+/// double the time on busy ones.
+std::string openmp_spin(int threads_of_all_ranks, int cores) { return threads_of_all_ranks > cores ? "0" : "1000"; }
 
 } // namespace
 
@@ -114,8 +113,7 @@ std::optional<int> start_ranks(int ranks, int threads, int argc, char** argv)
 {
     if (const auto started = ranks_of_mpirun()) {
         core::require<core::ConfigError>(*started == ranks,
-                                         fmt::format("--ranks {} inside an mpirun of {} ranks; leave out one of the two",
-                                                     ranks, *started));
+                                         fmt::format("--ranks {} inside an mpirun of {} ranks; leave out one of the two", ranks, *started));
         return {};
     }
     auto words = without_option({argv, argv + argc}, "--ranks");
@@ -131,8 +129,7 @@ std::optional<int> start_ranks(int ranks, int threads, int argc, char** argv)
     if (child == 0) become_mpirun(launch, before);
     const int code = wait_for(child, waited);
     sigprocmask(SIG_SETMASK, &before, nullptr);
-    core::require<core::ConfigError>(code != command_not_found,
-                                     "mpirun cannot be started; install Open MPI, or leave out --ranks");
+    core::require<core::ConfigError>(code != command_not_found, "mpirun cannot be started; install Open MPI, or leave out --ranks");
     return code;
 }
 

@@ -45,8 +45,8 @@ inline constexpr int signal_for_interrupt = SIGALRM, signal_for_terminate = SIGU
     return signal == SIGINT ? signal_for_interrupt : signal == SIGTERM ? signal_for_terminate : signal;
 }
 
-/// Runs the same command on `ranks` ranks of so many threads and waits for its end; Ctrl-C, TERM and USR1 reach all ranks as requests to stop,
-/// a second Ctrl-C or TERM ends them at once.
+/// Runs the same command on `ranks` ranks of so many threads and waits for its end; Ctrl-C, TERM and USR1 reach all ranks as
+/// requests to stop, a second Ctrl-C or TERM ends them at once.
 /// @returns the exit code, or nothing if this process is one of the ranks.
 /// @throws core::ConfigError if mpirun started another number of ranks, or cannot be found.
 [[nodiscard]] std::optional<int> start_ranks(int ranks, int threads, int argc, char** argv);

@@ -45,7 +45,8 @@ std::vector<double> ticks(const Range& range)
     const double rough = (range.high - range.low) / 5, power = std::pow(10, std::floor(std::log10(rough)));
     const double digit = rough / power, step = power * (digit < 1.5 ? 1 : digit < 3.5 ? 2 : digit < 7.5 ? 5 : 10);
     std::vector<double> values;
-    for (double n = std::ceil(range.low / step); n * step <= range.high && values.size() < 20; ++n) values.push_back(n * step + 0.0); // no minus before a zero
+    for (double n = std::ceil(range.low / step); n * step <= range.high && values.size() < 20; ++n)
+        values.push_back(n * step + 0.0); // no minus before a zero
     return values;
 }
 

@@ -61,10 +61,7 @@ Log::Log(const std::filesystem::path& file, Console& console) : console_(console
     core::require<core::FileError>(file_.good(), fmt::format("the log {} cannot be written", file.string()));
 }
 
-double Log::seconds() const
-{
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-}
+double Log::seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
 
 void Log::write(const std::string& text)
 {
@@ -77,19 +74,10 @@ void Log::note(const std::string& text)
     if (file_.is_open()) file_ << fmt::format("[{:10.2f} s] {}\n", seconds(), text) << std::flush;
 }
 
-void Log::info(const std::string& text)
-{
-    write(text);
-}
+void Log::info(const std::string& text) { write(text); }
 
-void Log::warning(const std::string& text)
-{
-    write("warning: " + text);
-}
+void Log::warning(const std::string& text) { write("warning: " + text); }
 
-void Log::error(const std::string& text)
-{
-    write("error: " + text);
-}
+void Log::error(const std::string& text) { write("error: " + text); }
 
 } // namespace io

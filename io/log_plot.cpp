@@ -91,7 +91,8 @@ std::string drawn(const Slope& slope, const Frame& frame, std::size_t row)
     const double half = std::min(x1 - xm, (frame.y.high - ym) / std::max(1e-9, std::abs(slope.exponent)));
     const double y = top + 20 + 20 * double(row);
     const std::string style = "stroke=\"#888\" stroke-dasharray=\"5 4\"";
-    return line(frame.px(xm - half), frame.py(ym - slope.exponent * half), frame.px(xm + half), frame.py(ym + slope.exponent * half), style) +
+    return line(frame.px(xm - half), frame.py(ym - slope.exponent * half), frame.px(xm + half), frame.py(ym + slope.exponent * half),
+                style) +
            line(width - right + 10, y - 4, width - right + 26, y - 4, style) + text(width - right + 30, y, "start", slope.name);
 }
 

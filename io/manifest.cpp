@@ -16,20 +16,20 @@ namespace io {
 
 namespace {
 
-    /// The name of the processor, or empty where the system does not tell.
-    [[nodiscard]] std::string processor_name()
-    {
-        std::ifstream stream("/proc/cpuinfo");
-        for (std::string line; std::getline(stream, line);)
-            if (line.starts_with("model name"))
-                if (const auto colon = line.find(": "); colon != std::string::npos) return line.substr(colon + 2);
-        return "";
-    }
+/// The name of the processor, or empty where the system does not tell.
+[[nodiscard]] std::string processor_name()
+{
+    std::ifstream stream("/proc/cpuinfo");
+    for (std::string line; std::getline(stream, line);)
+        if (line.starts_with("model name"))
+            if (const auto colon = line.find(": "); colon != std::string::npos) return line.substr(colon + 2);
+    return "";
+}
 
-    [[nodiscard]] double memory_in_gigabytes()
-    {
-        return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE)) / 1e9;
-    }
+[[nodiscard]] double memory_in_gigabytes()
+{
+    return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE)) / 1e9;
+}
 
 } // namespace
 

@@ -124,7 +124,8 @@ MetricGroup turbulence_metrics(World& world)
                 const auto& k = std::as_const(*world.turbulence()).k();
                 const auto& epsilon = std::as_const(*world.turbulence()).epsilon();
                 const auto& fluid = world.fluid()->parameters();
-                const double energy = fluid_integral(world, [&](LocalBlock b, int i, int j, int m) { return fluid.density * k.on(b)(i, j, m); });
+                const double energy =
+                    fluid_integral(world, [&](LocalBlock b, int i, int j, int m) { return fluid.density * k.on(b)(i, j, m); });
                 const double largest = core::max_over_blocks(world.mesh(), world.ranks(), [&](LocalBlock b) {
                     double most = 0;
                     core::for_each_cell(k.on(b).extents(), [&](int i, int j, int m) {
@@ -153,7 +154,9 @@ MetricGroup scalar_metrics(World& world)
                     const auto most = [&](double sign) {
                         return sign * core::max_over_blocks(mesh, world.ranks(), [&](LocalBlock b) {
                                    double largest = -std::numeric_limits<double>::infinity();
-                                   core::for_each_cell(field.on(b).extents(), [&](int i, int j, int k) { largest = std::max(largest, sign * field.on(b)(i, j, k)); });
+                                   core::for_each_cell(field.on(b).extents(), [&](int i, int j, int k) {
+                                       largest = std::max(largest, sign * field.on(b)(i, j, k));
+                                   });
                                    return largest;
                                });
                     };
@@ -207,7 +210,8 @@ MetricGroup solid_metrics(World& world)
                 const core::Mesh& mesh = world.mesh();
                 const auto& fraction = std::as_const(world.coupling()->fields().fraction);
                 const double cells = core::sum_over_blocks(mesh, world.ranks(), [&](LocalBlock b) {
-                    return physics::sum_cells([](double v, double phi) { return v * (1.0 - phi); }, mesh.geometry(b).volume.view(), fraction.on(b));
+                    return physics::sum_cells([](double v, double phi) { return v * (1.0 - phi); }, mesh.geometry(b).volume.view(),
+                                              fraction.on(b));
                 });
                 const double largest = core::max_over_blocks(mesh, world.ranks(), [&](LocalBlock b) {
                     const auto phi = fraction.on(b);
@@ -216,7 +220,8 @@ MetricGroup solid_metrics(World& world)
                     return most;
                 });
                 const core::ParticleSet& p = world.grains()->particles;
-                const auto volumes = column_of(p, [](int) { return true; }, [&](int i) { return volume_of(p.radius[std::size_t(i)]); });
+                const auto volumes = column_of(
+                    p, [](int) { return true; }, [&](int i) { return volume_of(p.radius[std::size_t(i)]); });
                 const double grains = exact_sums(world.ranks(), {volumes})[0];
                 return std::vector<double>{cells, grains > 0 ? cells / grains - 1.0 : 0.0, largest};
             }};

@@ -26,8 +26,7 @@ public:
     /// Begins a table, or goes on with one: rows later than `restart_time` are removed first.
     /// @param columns  The first one is the time [s].
     /// @throws core::FileError if the file cannot be written, or has other columns.
-    MetricsWriter(const std::filesystem::path& file, std::vector<std::string> columns,
-                  std::optional<double> restart_time = {});
+    MetricsWriter(const std::filesystem::path& file, std::vector<std::string> columns, std::optional<double> restart_time = {});
 
     /// Adds a row, one value for each column; numbers read back as the same bits.
     void add(std::span<const double> row);

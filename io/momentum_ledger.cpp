@@ -13,10 +13,28 @@ namespace io {
 namespace {
 
 /// Places of the sums over cells, and over grains: each but the last is the first of three.
-enum CellSum : std::size_t { of_fluid, of_ledger = 3, of_gradients = 6, of_advection = 9, of_share = 12, of_given = 15, of_push = 18,
-                             of_friction = 21, of_volume = 24, cell_sums = 25 };
-enum GrainSum : std::size_t { of_grains, of_owed = 3, of_contact = 6, of_taken = 9, of_couple = 12, of_mass = 15, of_solid = 16,
-                              grain_sums = 17 };
+enum CellSum : std::size_t {
+    of_fluid,
+    of_ledger = 3,
+    of_gradients = 6,
+    of_advection = 9,
+    of_share = 12,
+    of_given = 15,
+    of_push = 18,
+    of_friction = 21,
+    of_volume = 24,
+    cell_sums = 25
+};
+enum GrainSum : std::size_t {
+    of_grains,
+    of_owed = 3,
+    of_contact = 6,
+    of_taken = 9,
+    of_couple = 12,
+    of_mass = 15,
+    of_solid = 16,
+    grain_sums = 17
+};
 
 /// Three neighbouring numbers.
 core::Vec3 vector_at(std::span<const double> values, std::size_t first) { return {values[first], values[first + 1], values[first + 2]}; }
@@ -37,9 +55,14 @@ core::Vec3 columns_at(const core::ParticleSet& grains, int first, std::size_t i)
 std::span<const MomentumImpulses::Line> MomentumImpulses::outer_lines()
 {
     using M = MomentumImpulses;
-    static constexpr std::array<Line, 8> lines{{{"drive", &M::drive}, {"weight", &M::weight}, {"wall_contact", &M::contact},
-        {"wall_pressure", &M::wall_pressure}, {"wall_friction", &M::wall_friction}, {"advection_defect", &M::advection},
-        {"gradient_defect", &M::gradient}, {"viscous_share", &M::viscous_share}}};
+    static constexpr std::array<Line, 8> lines{{{"drive", &M::drive},
+                                                {"weight", &M::weight},
+                                                {"wall_contact", &M::contact},
+                                                {"wall_pressure", &M::wall_pressure},
+                                                {"wall_friction", &M::wall_friction},
+                                                {"advection_defect", &M::advection},
+                                                {"gradient_defect", &M::gradient},
+                                                {"viscous_share", &M::viscous_share}}};
     return lines;
 }
 
@@ -84,7 +107,8 @@ void MomentumLedger::sum_step(core::LocalBlock b, std::span<double> sum) const
     const double rho = world_.fluid()->parameters().density, dt = world_.clock().dt;
     const auto volume = world_.mesh().geometry(b).volume.view();
     const auto phi = f.fraction.on(b), old_phi = f.fraction_before.on(b), response = f.response.on(b);
-    const auto before = std::as_const(world_.fluid()->state()).velocity_before.on(b), after_all = f.advected.on(b), source = own.source.on(b);
+    const auto before = std::as_const(world_.fluid()->state()).velocity_before.on(b), after_all = f.advected.on(b),
+               source = own.source.on(b);
     const auto velocity = std::as_const(world_.fluid()->state()).velocity.on(b);
     const auto advected = own.advected.on(b), miss = f.miss.on(b), change = f.change.on(b);
     const auto old_gradient = own.pressure_gradient.on(b), new_gradient = own.psi_gradient.on(b);
@@ -93,29 +117,31 @@ void MomentumLedger::sum_step(core::LocalBlock b, std::span<double> sum) const
     for (int c = 0; c < 3; ++c) {
         const auto n = std::size_t(c);
         const auto at = [c](const auto& field) { return field.component(c); };
-        sum[of_gradients + n] += physics::sum_cells([dt](double v, double g, double dg) { return v * dt * (-g - dg); }, volume, at(old_gradient),
-                                                    at(new_gradient));
+        sum[of_gradients + n] += physics::sum_cells([dt](double v, double g, double dg) { return v * dt * (-g - dg); }, volume,
+                                                    at(old_gradient), at(new_gradient));
         sum[of_advection + n] += physics::sum_cells(
             [rho](double v, double p, double old_p, double ua, double q, double u) { return rho * v * (p * (ua - q) + (p - old_p) * u); },
             volume, phi, old_phi, at(advected), at(source), at(before));
-        const double stress = !own.viscous.allocated() ? 0.0 : physics::sum_cells(
-            [push = dt * rho](double v, double s, double a) { return v * s * push * a; }, volume, solid, at(own.viscous.on(b)));
-        sum[of_share + n] += stress - physics::sum_cells(
-            [rho](double v, double s, double uv, double u, double ua, double q) { return v * s * rho * (uv - u - (ua - q)); },
-            volume, solid, at(after_all), at(before), at(advected), at(source));
+        const double stress = !own.viscous.allocated()
+                                  ? 0.0
+                                  : physics::sum_cells([push = dt * rho](double v, double s, double a) { return v * s * push * a; }, volume,
+                                                       solid, at(own.viscous.on(b)));
+        sum[of_share + n] += stress - physics::sum_cells([rho](double v, double s, double uv, double u, double ua,
+                                                               double q) { return v * s * rho * (uv - u - (ua - q)); },
+                                                         volume, solid, at(after_all), at(before), at(advected), at(source));
         // Steps 4 and 5 of response.hpp, read from the fluid's side, and pressure and stress on the grains.
-        sum[of_given + n] += stress + physics::sum_cells(
-            [dt](double v, double s, double impulse, double added, double du0, double reaction, double du, double dg, double g) {
-                return v * (impulse + added * du0 + reaction * du - dt * s * (g + dg));
-            },
-            volume, solid, grains[physics::sum_impulse + n], grains[physics::sum_added], at(miss), grains[physics::sum_predictor], at(change),
-            at(new_gradient), at(old_gradient));
+        sum[of_given + n] +=
+            stress +
+            physics::sum_cells([dt](double v, double s, double impulse, double added, double du0, double reaction, double du, double dg,
+                                    double g) { return v * (impulse + added * du0 + reaction * du - dt * s * (g + dg)); },
+                               volume, solid, grains[physics::sum_impulse + n], grains[physics::sum_added], at(miss),
+                               grains[physics::sum_predictor], at(change), at(new_gradient), at(old_gradient));
         sum[of_given + n] += physics::sum_cells(
-            [dt](double v, double flux, double reaction, double r, double dg) { return v * (dt * flux - reaction * r) * dg; },
-            volume, grains[physics::sum_projection + 1], grains[physics::sum_projection], response, at(new_gradient));
+            [dt](double v, double flux, double reaction, double r, double dg) { return v * (dt * flux - reaction * r) * dg; }, volume,
+            grains[physics::sum_projection + 1], grains[physics::sum_projection], response, at(new_gradient));
         sum[of_given + n] += physics::sum_cells(
-            [](double v, double held, double u, double du, double r, double dg) { return v * held * (u - (du - r * dg)); },
-            volume, grains[physics::sum_held], at(velocity), at(change), response, at(new_gradient));
+            [](double v, double held, double u, double du, double r, double dg) { return v * held * (u - (du - r * dg)); }, volume,
+            grains[physics::sum_held], at(velocity), at(change), response, at(new_gradient));
     }
 }
 

@@ -19,16 +19,16 @@ struct MomentumTotals {
 
 /// Of the last step [N s].
 struct MomentumImpulses {
-    core::Vec3 drive = core::Vec3::Zero();          ///< on fluid and grains, by volume
-    core::Vec3 weight = core::Vec3::Zero();         ///< of the grains, less buoyancy
-    core::Vec3 contact = core::Vec3::Zero();        ///< of walls on grains: pairs cancel
-    core::Vec3 wall_pressure = core::Vec3::Zero();  ///< from the pressure beside the walls
-    core::Vec3 wall_friction = core::Vec3::Zero();  ///< from the viscous fluxes through the walls
-    core::Vec3 advection = core::Vec3::Zero();      ///< what interpolation at departure points made or lost, fluid content included
-    core::Vec3 gradient = core::Vec3::Zero();       ///< sum of the pressure gradients in cells beyond the walls' push: 0 on uniform grids
-    core::Vec3 viscous_share = core::Vec3::Zero();  ///< viscous stress on grains, that of the old time, beyond their share of the new one
-    core::Vec3 given = core::Vec3::Zero();          ///< by the fluid to the grains
-    core::Vec3 taken = core::Vec3::Zero();          ///< by the grains, and owed to them
+    core::Vec3 drive = core::Vec3::Zero();         ///< on fluid and grains, by volume
+    core::Vec3 weight = core::Vec3::Zero();        ///< of the grains, less buoyancy
+    core::Vec3 contact = core::Vec3::Zero();       ///< of walls on grains: pairs cancel
+    core::Vec3 wall_pressure = core::Vec3::Zero(); ///< from the pressure beside the walls
+    core::Vec3 wall_friction = core::Vec3::Zero(); ///< from the viscous fluxes through the walls
+    core::Vec3 advection = core::Vec3::Zero();     ///< what interpolation at departure points made or lost, fluid content included
+    core::Vec3 gradient = core::Vec3::Zero();      ///< sum of the pressure gradients in cells beyond the walls' push: 0 on uniform grids
+    core::Vec3 viscous_share = core::Vec3::Zero(); ///< viscous stress on grains, that of the old time, beyond their share of the new one
+    core::Vec3 given = core::Vec3::Zero();         ///< by the fluid to the grains
+    core::Vec3 taken = core::Vec3::Zero();         ///< by the grains, and owed to them
     /// Angular impulse of the fluid's torque on the grains [N m s]: the fluid does not lose it.
     core::Vec3 couple = core::Vec3::Zero();
 
@@ -72,7 +72,7 @@ private:
     MomentumTotals totals_;
     MomentumImpulses impulses_;
     core::Vec3 change_ = core::Vec3::Zero();
-    double time_ = 0.0; ///< at the start of the step to come
+    double time_ = 0.0;     ///< at the start of the step to come
     double implicit_ = 1.0; ///< its weight of the new time in the viscous term
     physics::DriveState drive_;
 };

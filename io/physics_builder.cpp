@@ -27,8 +27,8 @@ physics::FluidParameters fluid_parameters(const Scene& scene)
     p.density = scene.fluid->material.density;
     p.viscosity = scene.fluid->material.viscosity;
     for (const Boundary& boundary : scene.fluid->boundaries)
-        p.boundaries[boundary.at] = {.kind = boundary.kind, .velocity = boundary.velocity.value_or(core::Vec3::Zero()),
-                                     .pressure = boundary.pressure.value_or(0.0)};
+        p.boundaries[boundary.at] = {
+            .kind = boundary.kind, .velocity = boundary.velocity.value_or(core::Vec3::Zero()), .pressure = boundary.pressure.value_or(0.0)};
     if (scene.fluid->drive) p.drive = drive_of(*scene.fluid->drive, p.density);
     p.tolerances.pressure = scene.solver.tolerance;
     return p;

@@ -3,8 +3,8 @@
 #pragma once
 // From what a scene says about matter to the parameters of physics.
 #include "io/scene.hpp"
-#include "physics/fluid/parameters.hpp"
 #include "physics/fluid/k_epsilon.hpp"
+#include "physics/fluid/parameters.hpp"
 #include "physics/fluid/scalars.hpp"
 #include "physics/particles/parameters.hpp"
 

@@ -29,7 +29,7 @@ Context::Context()
     EGLConfig config = nullptr;
     EGLint count = 0;
     eglChooseConfig(display_, wanted, &config, 1, &count);
-    const EGLint version[] = {EGL_CONTEXT_MAJOR_VERSION, 4, EGL_CONTEXT_MINOR_VERSION, 5, EGL_CONTEXT_OPENGL_PROFILE_MASK,
+    const EGLint version[] = {EGL_CONTEXT_MAJOR_VERSION,           4,       EGL_CONTEXT_MINOR_VERSION, 5, EGL_CONTEXT_OPENGL_PROFILE_MASK,
                               EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
     context_ = eglCreateContext(display_, count ? config : EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, version);
     need(context_ != EGL_NO_CONTEXT, "OpenGL 4.5 is missing");
@@ -83,7 +83,8 @@ Image Target::read() const
     need(glGetError() == GL_NO_ERROR, "OpenGL reports an error");
     Image image{width_, height_, std::vector<std::uint8_t>(rising.size())};
     for (std::size_t y = 0; y < std::size_t(height_); ++y)
-        std::copy_n(rising.begin() + std::ptrdiff_t(row * (std::size_t(height_) - 1 - y)), row, image.rgb.begin() + std::ptrdiff_t(row * y));
+        std::copy_n(rising.begin() + std::ptrdiff_t(row * (std::size_t(height_) - 1 - y)), row,
+                    image.rgb.begin() + std::ptrdiff_t(row * y));
     return image;
 }
 

@@ -198,7 +198,8 @@ namespace io {
 struct Renderer::Canvas {};
 Renderer::Renderer(int, int)
 {
-    throw core::Error("this program was built without EGL and cannot draw pictures: install libegl-dev, libgl-dev and libopengl-dev and build again");
+    throw core::Error(
+        "this program was built without EGL and cannot draw pictures: install libegl-dev, libgl-dev and libopengl-dev and build again");
 }
 Renderer::~Renderer() = default;
 Image Renderer::draw(const PictureScene&) { return {}; }

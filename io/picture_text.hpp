@@ -8,10 +8,10 @@
 namespace io {
 
 struct Pen {
-    double x = 0.0, y = 0.0;  ///< left end of the base line [pixels from the upper left corner]
-    double height = 16.0;     ///< of a capital letter [pixels]
+    double x = 0.0, y = 0.0; ///< left end of the base line [pixels from the upper left corner]
+    double height = 16.0;    ///< of a capital letter [pixels]
     Colour colour{0.16f, 0.19f, 0.24f};
-    double weight = 0.11;     ///< width of the strokes over the height
+    double weight = 0.11; ///< width of the strokes over the height
 };
 
 [[nodiscard]] double text_width(const std::string& text, double height);

@@ -10,39 +10,36 @@ namespace io {
 
 namespace {
 
-    [[nodiscard]] bool starts_character(char c)
-    {
-        return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
-    }
+[[nodiscard]] bool starts_character(char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }
 
-    [[nodiscard]] std::string line_of(const Source& source, int line)
-    {
-        std::istringstream stream(source.text);
-        std::string text;
-        for (int n = 0; n < line; ++n)
-            if (!std::getline(stream, text)) return "";
-        if (!text.empty() && text.back() == '\r') text.pop_back();
-        return text;
-    }
+[[nodiscard]] std::string line_of(const Source& source, int line)
+{
+    std::istringstream stream(source.text);
+    std::string text;
+    for (int n = 0; n < line; ++n)
+        if (!std::getline(stream, text)) return "";
+    if (!text.empty() && text.back() == '\r') text.pop_back();
+    return text;
+}
 
-    /// Blanks up to the column, tabs kept so that the caret stands below the place.
-    [[nodiscard]] std::string caret_below(const std::string& line, int column)
-    {
-        std::string blanks;
-        int character = 0;
-        for (char c : line) {
-            if (starts_character(c) && ++character >= column) break;
-            if (starts_character(c)) blanks += c == '\t' ? '\t' : ' ';
-        }
-        return blanks + "^";
+/// Blanks up to the column, tabs kept so that the caret stands below the place.
+[[nodiscard]] std::string caret_below(const std::string& line, int column)
+{
+    std::string blanks;
+    int character = 0;
+    for (char c : line) {
+        if (starts_character(c) && ++character >= column) break;
+        if (starts_character(c)) blanks += c == '\t' ? '\t' : ' ';
     }
+    return blanks + "^";
+}
 
-    [[nodiscard]] std::string join(const std::vector<std::string>& words)
-    {
-        std::string all;
-        for (const auto& word : words) all += (all.empty() ? "" : ", ") + word;
-        return all;
-    }
+[[nodiscard]] std::string join(const std::vector<std::string>& words)
+{
+    std::string all;
+    for (const auto& word : words) all += (all.empty() ? "" : ", ") + word;
+    return all;
+}
 
 } // namespace
 
@@ -51,21 +48,16 @@ const Source& Problems::add_source(std::string name, std::string text)
     return sources_.emplace_back(Source{std::move(name), std::move(text)});
 }
 
-void Problems::add(Mark mark, std::string message, std::string hint)
-{
-    problems_.push_back({mark, std::move(message), std::move(hint)});
-}
+void Problems::add(Mark mark, std::string message, std::string hint) { problems_.push_back({mark, std::move(message), std::move(hint)}); }
 
 std::vector<Problem> Problems::sorted() const
 {
     auto rank = [&](const Source* source) {
-        return std::find_if(sources_.begin(), sources_.end(), [&](const Source& s) { return &s == source; }) -
-               sources_.begin();
+        return std::find_if(sources_.begin(), sources_.end(), [&](const Source& s) { return &s == source; }) - sources_.begin();
     };
     auto all = problems_;
     std::stable_sort(all.begin(), all.end(), [&](const Problem& a, const Problem& b) {
-        return std::tuple(rank(a.mark.source), a.mark.line, a.mark.column) <
-               std::tuple(rank(b.mark.source), b.mark.line, b.mark.column);
+        return std::tuple(rank(a.mark.source), a.mark.line, a.mark.column) < std::tuple(rank(b.mark.source), b.mark.line, b.mark.column);
     });
     return all;
 }
@@ -97,8 +89,7 @@ int edit_distance(const std::string& a, const std::string& b)
         for (std::size_t j = 1; j <= b.size(); ++j) {
             const int change = a[i - 1] == b[j - 1] ? 0 : 1;
             at(i, j) = std::min({at(i - 1, j) + 1, at(i, j - 1) + 1, at(i - 1, j - 1) + change});
-            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
-                at(i, j) = std::min(at(i, j), at(i - 2, j - 2) + 1);
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) at(i, j) = std::min(at(i, j), at(i - 2, j - 2) + 1);
         }
     return at(a.size(), b.size());
 }

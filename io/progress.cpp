@@ -10,8 +10,8 @@ namespace io {
 
 namespace {
 
-    constexpr double terminal_pause = 0.2, plain_pause = 10.0; // [s]
-    constexpr double memory = 20.0; // [s] of real time over which the rate is averaged
+constexpr double terminal_pause = 0.2, plain_pause = 10.0; // [s]
+constexpr double memory = 20.0;                            // [s] of real time over which the rate is averaged
 
 } // namespace
 
@@ -27,8 +27,7 @@ std::string progress_text(const StepReport& report, double share, std::optional<
     return text;
 }
 
-Progress::Progress(double begin, double until, Console& console, Log& log)
-    : begin_(begin), until_(until), console_(console), log_(log)
+Progress::Progress(double begin, double until, Console& console, Log& log) : begin_(begin), until_(until), console_(console), log_(log)
 {
     last_.time = begin;
     printed_wall_ = noted_wall_ = -plain_pause; // the first step is shown

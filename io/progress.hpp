@@ -11,11 +11,11 @@ namespace io {
 /// What a step reports.
 struct StepReport {
     std::int64_t step = 0;
-    double time = 0.0, time_step = 0.0;                  ///< [s]
-    std::optional<double> cfl;                           ///< Largest number of cells crossed.
-    std::optional<double> residual;                      ///< Relative residual of the pressure.
+    double time = 0.0, time_step = 0.0; ///< [s]
+    std::optional<double> cfl;          ///< Largest number of cells crossed.
+    std::optional<double> residual;     ///< Relative residual of the pressure.
     std::optional<std::int64_t> particles;
-    std::string limit = {};                              ///< Which limit rules the time step.
+    std::string limit = {}; ///< Which limit rules the time step.
 };
 
 /// "step 120  t 0.0123 s  dt 1.2e-04 s  CFL 0.80  residual 3e-09  particles 1600  42 %  3 min 20 s left".

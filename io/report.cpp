@@ -62,7 +62,8 @@ std::string lanes(const RunDirectory& run)
     std::istringstream log(contents(run.log()));
     std::string lines;
     for (std::string line; std::getline(log, line);)
-        if (line.find("] coupling") != std::string::npos || line.find("lanes overlap") != std::string::npos) lines += svg::escaped(line) + "\n";
+        if (line.find("] coupling") != std::string::npos || line.find("lanes overlap") != std::string::npos)
+            lines += svg::escaped(line) + "\n";
     return lines.empty() ? lines : "<h2>Coupling and lanes</h2>\n<pre>" + lines + "</pre>\n";
 }
 
@@ -132,8 +133,8 @@ std::string report_html(const RunDirectory& run)
     return fmt::format("<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{0}</title>\n<style>{1}</style></head>\n"
                        "<body><main>\n<h1>{0}</h1>\n",
                        name, style) +
-           frames(run) + curves(run) + lanes(run) + (scene.empty() ? "" : "<h2>Scene</h2>\n<pre>" + svg::escaped(scene) + "</pre>\n") + facts(run) +
-           "</main></body></html>\n";
+           frames(run) + curves(run) + lanes(run) + (scene.empty() ? "" : "<h2>Scene</h2>\n<pre>" + svg::escaped(scene) + "</pre>\n") +
+           facts(run) + "</main></body></html>\n";
 }
 
 } // namespace io

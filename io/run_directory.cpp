@@ -11,30 +11,30 @@ namespace fs = std::filesystem;
 
 namespace {
 
-    void remove_earlier_run(const RunDirectory& run)
-    {
-        for (const auto& path : {run.scene(), run.log(), run.metrics(), run.checkpoints(), run.results(), run.frames(),
-                                 run.trace(), run.report(), run.stop_file(), run.manifest()})
-            fs::remove_all(path);
-        for (int rank = 1; fs::remove(run.trace(rank)); ++rank) {}
-    }
+void remove_earlier_run(const RunDirectory& run)
+{
+    for (const auto& path : {run.scene(), run.log(), run.metrics(), run.checkpoints(), run.results(), run.frames(), run.trace(),
+                             run.report(), run.stop_file(), run.manifest()})
+        fs::remove_all(path);
+    for (int rank = 1; fs::remove(run.trace(rank)); ++rank) {}
+}
 
-    void check_existing(const RunDirectory& run, RunDirectory::Existing existing)
-    {
-        using core::ConfigError;
-        const fs::path& root = run.root();
-        const bool is_run = fs::exists(run.manifest());
-        if (existing == RunDirectory::Existing::resume)
-            return core::require<ConfigError>(is_run, fmt::format("{} has no run that could go on", root.string()));
-        if (!fs::exists(root) || (fs::is_directory(root) && fs::is_empty(root))) return;
-        core::require<ConfigError>(is_run, fmt::format("{} exists and is not a run of Isago; choose another folder "
-                                                       "with -o",
-                                                       root.string()));
-        core::require<ConfigError>(existing == RunDirectory::Existing::replace,
-                                   fmt::format("{} has an earlier run: continue it with --restart, replace it with "
-                                               "--force, or choose another folder with -o",
-                                               root.string()));
-    }
+void check_existing(const RunDirectory& run, RunDirectory::Existing existing)
+{
+    using core::ConfigError;
+    const fs::path& root = run.root();
+    const bool is_run = fs::exists(run.manifest());
+    if (existing == RunDirectory::Existing::resume)
+        return core::require<ConfigError>(is_run, fmt::format("{} has no run that could go on", root.string()));
+    if (!fs::exists(root) || (fs::is_directory(root) && fs::is_empty(root))) return;
+    core::require<ConfigError>(is_run, fmt::format("{} exists and is not a run of Isago; choose another folder "
+                                                   "with -o",
+                                                   root.string()));
+    core::require<ConfigError>(existing == RunDirectory::Existing::replace,
+                               fmt::format("{} has an earlier run: continue it with --restart, replace it with "
+                                           "--force, or choose another folder with -o",
+                                           root.string()));
+}
 
 } // namespace
 

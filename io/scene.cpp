@@ -19,9 +19,8 @@ PipeCells cells_of(PipeSize size)
 
 bool Grid::is_periodic(int axis) const
 {
-    return std::any_of(periodic.begin(), periodic.end(), [&](Axis named) {
-        return (named == Axis::axial ? 0 : static_cast<int>(named) - 1) == axis;
-    });
+    return std::any_of(periodic.begin(), periodic.end(),
+                       [&](Axis named) { return (named == Axis::axial ? 0 : static_cast<int>(named) - 1) == axis; });
 }
 
 std::string Grid::shape() const

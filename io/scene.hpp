@@ -36,8 +36,7 @@ enum class WallShape { faces, primitive };
 inline constexpr std::array<std::string_view, 2> wall_shape_words{"faces", "primitive"};
 
 enum class CouplingMode { automatic, pipelined, coarse, concurrent, iterated };
-inline constexpr std::array<std::string_view, 5> coupling_mode_words{"auto", "pipelined", "coarse", "concurrent",
-                                                                     "iterated"};
+inline constexpr std::array<std::string_view, 5> coupling_mode_words{"auto", "pipelined", "coarse", "concurrent", "iterated"};
 
 enum class DragLaw { smooth, seed };
 inline constexpr std::array<std::string_view, 2> drag_law_words{"smooth", "seed"};
@@ -67,8 +66,8 @@ struct PipeCells {
 /// A straight round pipe along x, its axis through the origin of y and z, from x = 0.
 struct PipeGrid {
     double diameter = 0.0, length = 0.0; ///< [m]
-    std::optional<PipeSize> size;   ///< Medium, unless `cells` are given.
-    std::optional<PipeCells> cells; ///< Instead of a named size.
+    std::optional<PipeSize> size;        ///< Medium, unless `cells` are given.
+    std::optional<PipeCells> cells;      ///< Instead of a named size.
     int blocks_along = 4;
     double core_fraction = 0.55; ///< Half diagonal of the core over the radius.
     bool operator==(const PipeGrid&) const = default;
@@ -172,7 +171,7 @@ inline constexpr std::array<std::string_view, 2> turbulence_model_words{"none", 
 /// Turbulence that is not resolved.
 struct TurbulenceKeys {
     TurbulenceModel model = TurbulenceModel::none;
-    double intensity = 0.05; ///< Root mean square of the fluctuations over the speed, at the start and where fluid flows in.
+    double intensity = 0.05;      ///< Root mean square of the fluctuations over the speed, at the start and where fluid flows in.
     std::optional<double> speed;  ///< Of the flow at the start [m/s]; without it, that of what flows in.
     std::optional<double> length; ///< Mixing length there [m]; without it, 7 % of the width between boundaries.
     double roughness = 0.0;       ///< of walls, as height of sand grains [m]
@@ -199,9 +198,9 @@ struct Gravity {
 /// Where the particles of a species are at the start.
 struct Initial {
     Arrangement arrangement = Arrangement::random;
-    std::optional<core::Vec3> low, high;         ///< Corners of the region of the centres [m]; the whole domain without them.
-    core::Vec3 velocity = core::Vec3::Zero();    ///< [m/s]
-    double spacing = 1.0; ///< packed: distance of neighbours in diameters; below 1 they press on each other.
+    std::optional<core::Vec3> low, high;      ///< Corners of the region of the centres [m]; the whole domain without them.
+    core::Vec3 velocity = core::Vec3::Zero(); ///< [m/s]
+    double spacing = 1.0;                     ///< packed: distance of neighbours in diameters; below 1 they press on each other.
     bool operator==(const Initial&) const = default;
 };
 
@@ -229,7 +228,7 @@ struct Coupling {
     CouplingMode mode = CouplingMode::automatic;
     Width filter{2.0, true};
     CouplingPreset preset = CouplingPreset::standard;
-    std::optional<DragLaw> drag; ///< Without it, the preset's.
+    std::optional<DragLaw> drag;     ///< Without it, the preset's.
     std::optional<MagnusLaw> magnus; ///< Without it, the preset's.
     Switch added_mass = Switch::automatic, lift = Switch::automatic, torque = Switch::automatic;
     bool operator==(const Coupling&) const = default;
@@ -239,7 +238,7 @@ struct Coupling {
 };
 
 struct Limits {
-    double cfl = 1.0; ///< Largest cells crossed by the fluid in a step.
+    double cfl = 1.0;            ///< Largest cells crossed by the fluid in a step.
     double particle_move = 0.25; ///< Largest move of a particle in a step, in widths of the filter.
     bool operator==(const Limits&) const = default;
 };

@@ -43,14 +43,12 @@ static void describe(Schema& s, Grid& p)
 
 static void describe(Schema& s, ReverseAt& p)
 {
-    s.required("axis_speed", p.axis_speed, "m/s", "Speed on the axis of the pipe at which the gradient changes sign",
-               positive);
+    s.required("axis_speed", p.axis_speed, "m/s", "Speed on the axis of the pipe at which the gradient changes sign", positive);
 }
 
 static void describe(Schema& s, Drive& p)
 {
-    s.required("pressure_gradient", p.pressure_gradient, "Pa/m",
-               "Mean pressure drop per length; with a frequency, its amplitude");
+    s.required("pressure_gradient", p.pressure_gradient, "Pa/m", "Mean pressure drop per length; with a frequency, its amplitude");
     s.value("axis", "Axis along which it acts; it must be periodic", choice_of(p.axis, axis_words));
     s.value("frequency", p.frequency, "Hz", "Makes the gradient harmonic: a cosine of time", positive);
     s.group("reverse_at", p.reverse_at, "Makes the gradient change sign when the flow is fast enough");
@@ -65,9 +63,11 @@ static void describe(Schema& s, Material& p)
 static void describe(Schema& s, Boundary& p)
 {
     s.required("at", p.at, "", "Name of the boundary: wall, x_low and x_high of a pipe, x_low to z_high of a box, and so on");
-    s.value("kind", "wall: the fluid sticks to it; slip: no friction along it; symmetry: a plane that halves the flow; inflow: the velocity "
+    s.value("kind",
+            "wall: the fluid sticks to it; slip: no friction along it; symmetry: a plane that halves the flow; inflow: the velocity "
             "is given; outflow: the pressure is given, and what flows back was at rest; pressure: it is given, and what flows in keeps its "
-            "velocity", choice_of(p.kind, boundary_kind_words));
+            "velocity",
+            choice_of(p.kind, boundary_kind_words));
     s.value("velocity", p.velocity, "m/s", "Of what flows in, or of the wall");
     s.value("pressure", p.pressure, "Pa", "Where it is given, without the weight of the fluid; 0 without it");
 }
@@ -92,7 +92,8 @@ static void describe(Schema& s, TurbulenceKeys& p)
                choice_of(p.model, turbulence_model_words));
     s.value("intensity", p.intensity, "1", "Fluctuations over the speed, at the start and where fluid flows in", positive);
     s.value("speed", p.speed, "m/s", "Speed that the intensity at the start refers to; without it, that of what flows in", positive);
-    s.value("length", p.length, "m", "Mixing length at the start and where fluid flows in; without it, 7 % of the narrowest width", positive);
+    s.value("length", p.length, "m", "Mixing length at the start and where fluid flows in; without it, 7 % of the narrowest width",
+            positive);
     s.value("roughness", p.roughness, "m", "Roughness of walls, as the height of sand grains", not_negative);
 }
 
@@ -113,13 +114,17 @@ static void describe(Schema& s, Gravity& p)
 
 static void describe(Schema& s, Initial& p)
 {
-    s.value("arrangement", "Where the particles are at the start: at random; on a cubic lattice; packed in face-centred cubes from wall to wall, "
-            "that of the first species for all", choice_of(p.arrangement, arrangement_words));
+    s.value("arrangement",
+            "Where the particles are at the start: at random; on a cubic lattice; packed in face-centred cubes from wall to wall, "
+            "that of the first species for all",
+            choice_of(p.arrangement, arrangement_words));
     s.value("low", p.low, "m", "Low corner of the region of their centres; without it, all of the domain");
     s.value("high", p.high, "m", "High corner of the region of their centres; without it, all of the domain");
     s.value("velocity", p.velocity, "m/s", "Their velocity");
-    s.value("spacing", p.spacing, "1", "Packed: distance of neighbours in largest diameters, as near as whole cubes fit; below 1 a bed is squeezed "
-            "and holds itself", positive);
+    s.value("spacing", p.spacing, "1",
+            "Packed: distance of neighbours in largest diameters, as near as whole cubes fit; below 1 a bed is squeezed "
+            "and holds itself",
+            positive);
 }
 
 static void describe(Schema& s, Species& p)
@@ -135,8 +140,7 @@ static void describe(Schema& s, Contact& p)
 {
     s.value("law", "Contact law; linear is a spring and a dashpot", choice_of(p.law, contact_law_words));
     s.required("stiffness", p.stiffness, "N/m", "Normal stiffness of a contact", positive);
-    s.value("restitution", p.restitution, "1", "Normal speed after over before a dry collision",
-            Range{0.0, 1.0, true});
+    s.value("restitution", p.restitution, "1", "Normal speed after over before a dry collision", Range{0.0, 1.0, true});
     s.value("friction", p.friction, "1", "Coulomb coefficient between particles and with walls", not_negative);
     s.value("tangential_ratio", p.tangential_ratio, "1", "Tangential over normal stiffness", between(0.0, 1.0));
     s.value("steps_per_contact", p.steps_per_contact, "", "Sub-steps in the shortest collision", at_least(10));
@@ -148,19 +152,21 @@ static void describe(Schema& s, Coupling& p)
 {
     s.value("mode", "What waits for what in a step; auto chooses by the fluid", choice_of(p.mode, coupling_mode_words));
     s.value("filter", p.filter, "", "Width of the filter between particles and fluid", not_negative);
-    s.value("preset", "standard: drag of Di Felice, force of the pressure gradient and viscous stress, lift of Lun & Liu; "
+    s.value("preset",
+            "standard: drag of Di Felice, force of the pressure gradient and viscous stress, lift of Lun & Liu; "
             "seed: as printed by Ushijima & Nezu (2001), units repaired: Ergun to a fluid fraction of 0.8 and Wen-Yu with exponent -2.7 "
-            "above, rho V Du/Dt instead of the pressure gradient, added mass 1/2, lift coefficient 0.4 times the speed of the surface over that of the slip, no shear lift",
+            "above, rho V Du/Dt instead of the pressure gradient, added mass 1/2, lift coefficient 0.4 times the speed of the surface over "
+            "that of the slip, no shear lift",
             choice_of(p.preset, coupling_preset_words));
     s.value("drag", "smooth: Di Felice; seed: the switch from Ergun to Wen-Yu at 0.8; without it, the preset's",
             choice_of(p.drag, drag_law_words));
-    s.value("added_mass", "Added mass; auto: unless the particles are much denser than the fluid",
-            choice_of(p.added_mass, switch_words));
+    s.value("added_mass", "Added mass; auto: unless the particles are much denser than the fluid", choice_of(p.added_mass, switch_words));
     s.value("lift", "Lift of spinning particles; auto: unless they are much denser than the fluid", choice_of(p.lift, switch_words));
-    s.value("magnus", "Lift law. lun_liu: falls with the Reynolds number, to a fifth at 1000; rubinow_keller: theory for Reynolds numbers below 1; "
-            "seed: a fifth of that throughout; without it, the preset's", choice_of(p.magnus, magnus_law_words));
-    s.value("torque", "Torque of the fluid on spinning particles; auto: by its estimated size",
-            choice_of(p.torque, switch_words));
+    s.value("magnus",
+            "Lift law. lun_liu: falls with the Reynolds number, to a fifth at 1000; rubinow_keller: theory for Reynolds numbers below 1; "
+            "seed: a fifth of that throughout; without it, the preset's",
+            choice_of(p.magnus, magnus_law_words));
+    s.value("torque", "Torque of the fluid on spinning particles; auto: by its estimated size", choice_of(p.torque, switch_words));
 }
 
 static void describe(Schema& s, Limits& p)

@@ -22,8 +22,7 @@ std::filesystem::path scene_file(const std::filesystem::path& path)
     namespace fs = std::filesystem;
     const fs::path file = fs::is_directory(path) ? path / "scene.yaml" : path;
     core::require<core::ConfigError>(fs::is_regular_file(file),
-                                     fmt::format("there is no scene at {}; give a scene.yaml or its folder",
-                                                 path.string()));
+                                     fmt::format("there is no scene at {}; give a scene.yaml or its folder", path.string()));
     return file;
 }
 
@@ -50,7 +49,8 @@ SceneReading read_scene_text(const std::string& name, const std::string& text, c
     Problems& problems = *result.problems;
     const Source& source = problems.add_source(name, text);
     // Without a tree, what else is wrong cannot be known.
-    if (std::optional<Node> root = parse_yaml(source, problems)) result.scene = read_scene_tree(*root, {&source, 1, 1}, overrides, problems);
+    if (std::optional<Node> root = parse_yaml(source, problems))
+        result.scene = read_scene_tree(*root, {&source, 1, 1}, overrides, problems);
     return result;
 }
 

@@ -18,8 +18,8 @@ namespace io {
 struct KeyEntry {
     std::string path; ///< "grid.pipe.diameter"; items of a list are "particles.*.count".
     std::string meaning;
-    std::string form;     ///< What to write; empty for a group.
-    std::string need;     ///< "required", "optional" or the default.
+    std::string form; ///< What to write; empty for a group.
+    std::string need; ///< "required", "optional" or the default.
     [[nodiscard]] bool is_group() const { return form.empty(); }
 };
 

@@ -67,14 +67,8 @@ public:
     }
 
     /// A value whose form the other two do not know, such as a choice of words.
-    void value(std::string_view key, std::string_view meaning, Value value)
-    {
-        add(key, meaning, Need::has_default, std::move(value));
-    }
-    void required(std::string_view key, std::string_view meaning, Value value)
-    {
-        add(key, meaning, Need::required, std::move(value));
-    }
+    void value(std::string_view key, std::string_view meaning, Value value) { add(key, meaning, Need::has_default, std::move(value)); }
+    void required(std::string_view key, std::string_view meaning, Value value) { add(key, meaning, Need::required, std::move(value)); }
 
     /// Keys below a key; every one of them has a default.
     template <class T>

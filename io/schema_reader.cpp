@@ -10,14 +10,14 @@ namespace io {
 
 namespace {
 
-    const Node nothing{};
+const Node nothing{};
 
-    [[nodiscard]] std::string quoted_list(const std::vector<std::string>& keys)
-    {
-        std::string all;
-        for (const auto& key : keys) all += (all.empty() ? "'" : " or '") + key + "'";
-        return all;
-    }
+[[nodiscard]] std::string quoted_list(const std::vector<std::string>& keys)
+{
+    std::string all;
+    for (const auto& key : keys) all += (all.empty() ? "'" : " or '") + key + "'";
+    return all;
+}
 
 } // namespace
 
@@ -34,14 +34,12 @@ Mark Locations::at(std::string path) const
 
 bool Locations::good(const std::string& path) const
 {
-    return std::none_of(spoiled_.begin(), spoiled_.end(), [&](const std::string& bad) {
-        return bad == path || path.starts_with(bad + ".") || bad.starts_with(path + ".");
-    });
+    return std::none_of(spoiled_.begin(), spoiled_.end(),
+                        [&](const std::string& bad) { return bad == path || path.starts_with(bad + ".") || bad.starts_with(path + "."); });
 }
 
 SchemaReader::SchemaReader(const Node& map, std::string path, Mark here, const Reading& reading, Locations& locations)
-    : map_(map.kind == Node::Kind::map ? map : nothing), path_(std::move(path)), here_(here), reading_(reading),
-      locations_(locations)
+    : map_(map.kind == Node::Kind::map ? map : nothing), path_(std::move(path)), here_(here), reading_(reading), locations_(locations)
 {
     if (map.kind == Node::Kind::map || map.kind == Node::Kind::null) return;
     reading_.problems.add(map.mark, fmt::format("a group of keys is needed here, not {}", name_of(map.kind)));
@@ -73,8 +71,7 @@ const Member* SchemaReader::take_named(const Group& group)
     if (candidates.empty()) return nullptr;
     for (const Member* member : candidates) used_.insert(member->key);
     for (std::size_t n = 1; n < candidates.size(); ++n) {
-        reading_.problems.add(candidates[n]->mark,
-                              fmt::format("'{}' would be a second {}; one is possible", candidates[n]->key, group.key),
+        reading_.problems.add(candidates[n]->mark, fmt::format("'{}' would be a second {}; one is possible", candidates[n]->key, group.key),
                               "beside it stand: " + quoted_list(known_));
         locations_.spoil(path_ + candidates[n]->key);
     }
@@ -97,15 +94,12 @@ void SchemaReader::on_value(const Leaf& leaf)
     locations_.place(path_ + leaf.key, member->value.kind == Node::Kind::null ? member->mark : member->value.mark);
     const std::size_t before = reading_.problems.size();
     if (member->value.kind == Node::Kind::null)
-        reading_.problems.add(member->mark, fmt::format("'{}' has no value", leaf.key),
-                              "write " + form_of(leaf.value));
-    else
-        leaf.value.read(member->value, reading_);
+        reading_.problems.add(member->mark, fmt::format("'{}' has no value", leaf.key), "write " + form_of(leaf.value));
+    else leaf.value.read(member->value, reading_);
     if (reading_.problems.size() != before) locations_.spoil(path_ + leaf.key);
 }
 
-void SchemaReader::read_group(const Node& node, const std::string& path, Mark key,
-                              const std::function<void(Schema&)>& inside)
+void SchemaReader::read_group(const Node& node, const std::string& path, Mark key, const std::function<void(Schema&)>& inside)
 {
     locations_.place(path, key);
     if (node.kind != Node::Kind::map && node.kind != Node::Kind::null) locations_.spoil(path);
@@ -141,8 +135,7 @@ void SchemaReader::on_list(const List& list)
     const auto& items = member->value.items;
     list.resize(items.size());
     for (std::size_t n = 0; n < items.size(); ++n)
-        read_group(items[n], fmt::format("{}.{}", path, n), items[n].mark,
-                   [&](Schema& schema) { list.item(schema, n); });
+        read_group(items[n], fmt::format("{}.{}", path, n), items[n].mark, [&](Schema& schema) { list.item(schema, n); });
 }
 
 void SchemaReader::exactly_one(const std::vector<std::string>& keys)
@@ -152,8 +145,7 @@ void SchemaReader::exactly_one(const std::vector<std::string>& keys)
         if (std::find(keys.begin(), keys.end(), member.key) != keys.end()) given.push_back(&member);
     if (given.empty()) return miss(keys.front(), "one of " + quoted_list(keys));
     for (std::size_t n = 1; n < given.size(); ++n) {
-        reading_.problems.add(given[n]->mark, fmt::format("'{}' excludes '{}'", given.front()->key, given[n]->key),
-                              "keep one of the two");
+        reading_.problems.add(given[n]->mark, fmt::format("'{}' excludes '{}'", given.front()->key, given[n]->key), "keep one of the two");
         locations_.spoil(path_ + given[n]->key);
     }
 }
@@ -163,8 +155,7 @@ void SchemaReader::finish()
     std::vector<std::string> misspelled;
     for (const Member* member : unused()) {
         std::vector<std::string> free;
-        std::copy_if(known_.begin(), known_.end(), std::back_inserter(free),
-                     [&](const std::string& key) { return !used_.contains(key); });
+        std::copy_if(known_.begin(), known_.end(), std::back_inserter(free), [&](const std::string& key) { return !used_.contains(key); });
         const std::string meant = nearest(member->key, known_);
         reading_.problems.add(member->mark, fmt::format("unknown key '{}'", member->key),
                               suggestion(member->key, meant.empty() ? free : known_));

@@ -28,9 +28,10 @@ core::MultiBlock blocks_for(const Grid& grid, int ranks)
 {
     core::MultiBlock made = make_blocks(grid);
     const std::size_t blocks = made.blocks.size();
-    core::require<core::ConfigError>(std::size_t(ranks) <= blocks,
-                                     fmt::format("{} ranks, but the grid has only {} block{}: use fewer ranks, or more blocks in the grid of the scene",
-                                                 ranks, blocks, blocks == 1 ? "" : "s"));
+    core::require<core::ConfigError>(
+        std::size_t(ranks) <= blocks,
+        fmt::format("{} ranks, but the grid has only {} block{}: use fewer ranks, or more blocks in the grid of the scene", ranks, blocks,
+                    blocks == 1 ? "" : "s"));
     return made;
 }
 
@@ -58,9 +59,13 @@ Simulation::Simulation(const Scene& scene, const core::Communicator& ranks, cons
 }
 
 Simulation::Simulation(const Scene& scene, core::MultiBlock blocks, const core::Communicator& ranks, const SimulationOptions& options)
-    : options_(options), ranks_(ranks), directory_(prepare(scene, ranks, options)), console_(std::cout, console_kind(ranks.rank())),
+    : options_(options),
+      ranks_(ranks),
+      directory_(prepare(scene, ranks, options)),
+      console_(std::cout, console_kind(ranks.rank())),
       log_(ranks.rank() == 0 ? directory_.log() : std::filesystem::path(), console_),
-      requests_(directory_.stop_file(), scene.run.wall_clock), world_(scene, std::move(blocks), ranks)
+      requests_(directory_.stop_file(), scene.run.wall_clock),
+      world_(scene, std::move(blocks), ranks)
 {
     if (options.existing == RunDirectory::Existing::resume) resume();
     settle();
@@ -152,7 +157,9 @@ StopReason Simulation::run()
     if (world_.coupling()) log_.info(fmt::format("coupling: {}; the last, {}", world_.mode_counts(), world_.mode_reason()));
     log_.info(memory_line(world_));
     if (reason != StopReason::none) log_.info(fmt::format("stopped by {} at t = {:.6g} s, state saved", name_of(reason), world_.time()));
-    else log_.info(fmt::format("finished at t = {:.6g} s after {} steps in {}", world_.time(), world_.clock().step, duration_text(log_.seconds())));
+    else
+        log_.info(fmt::format("finished at t = {:.6g} s after {} steps in {}", world_.time(), world_.clock().step,
+                              duration_text(log_.seconds())));
     return reason;
 }
 

@@ -17,7 +17,7 @@ struct SimulationOptions {
     std::string executor = "auto";
     int threads = 1;
     bool trace = false;
-    std::optional<double> until; ///< where to end instead of scene.run.until [s]; no step is longer or shorter for it
+    std::optional<double> until;      ///< where to end instead of scene.run.until [s]; no step is longer or shorter for it
     std::vector<std::string> command; ///< for the manifest
 };
 

@@ -11,8 +11,12 @@ bool wanted(const Interval& interval) { return interval.clock != Interval::Clock
 } // namespace
 
 SimulationOutputs::SimulationOutputs(World& world, const RunDirectory& directory, Log& log, bool resumed)
-    : world_(world), directory_(directory), log_(log), metrics_clock_(world.scene().output.metrics, world.ranks()),
-      results_clock_(world.scene().output.results, world.ranks()), pictures_clock_(world.scene().output.pictures, world.ranks()),
+    : world_(world),
+      directory_(directory),
+      log_(log),
+      metrics_clock_(world.scene().output.metrics, world.ranks()),
+      results_clock_(world.scene().output.results, world.ranks()),
+      pictures_clock_(world.scene().output.pictures, world.ranks()),
       checkpoint_clock_(world.scene().output.checkpoint, world.ranks()),
       metrics_(world, directory.metrics(), resumed ? std::optional(world.time()) : std::nullopt)
 {

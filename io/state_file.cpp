@@ -34,8 +34,12 @@ std::vector<NamedColumns> columns_of(World& world)
 {
     core::ParticleSet& p = world.grains()->particles;
     const auto three = [](core::Triple& t) { return std::vector<core::Column*>{&t[0], &t[1], &t[2]}; };
-    std::vector<NamedColumns> all{{"position", three(p.position)}, {"velocity", three(p.velocity)}, {"spin", three(p.spin)},
-                                  {"radius", {&p.radius}},         {"mass", {&p.mass}},             {"inertia", {&p.inertia}}};
+    std::vector<NamedColumns> all{{"position", three(p.position)},
+                                  {"velocity", three(p.velocity)},
+                                  {"spin", three(p.spin)},
+                                  {"radius", {&p.radius}},
+                                  {"mass", {&p.mass}},
+                                  {"inertia", {&p.inertia}}};
     if (const auto* coupling = world.coupling()) {
         const auto& at = coupling->exchange().columns();
         const auto columns = [&p](int first, int count) {
@@ -166,12 +170,12 @@ std::string save_state(World& world, const std::string& directory, int keep)
 
 void load_state(const CheckpointReader& checkpoint, World& world)
 {
-    core::require<core::FileError>(checkpoint.note("scene") == world.scene().name,
-                                   core::text("the checkpoint is of the scene '", checkpoint.note("scene"), "', not of '", world.scene().name, "'"));
+    core::require<core::FileError>(
+        checkpoint.note("scene") == world.scene().name,
+        core::text("the checkpoint is of the scene '", checkpoint.note("scene"), "', not of '", world.scene().name, "'"));
     for_each_carried_field(world, [&](auto& field) { checkpoint.field(views(field), blocks_of(world.mesh())); });
-    for_each_scalar(world.clock(), [&](const char* name, auto& value) {
-        value = std::remove_reference_t<decltype(value)>(checkpoint.scalar(name));
-    });
+    for_each_scalar(world.clock(),
+                    [&](const char* name, auto& value) { value = std::remove_reference_t<decltype(value)>(checkpoint.scalar(name)); });
     if (!world.grains()) return;
     world.settled() = checkpoint.scalar("settled_sub_steps");
     load_particles(checkpoint, world);

@@ -11,24 +11,24 @@ namespace io {
 
 namespace {
 
-    // A signal handler can reach nothing but static data; StopRequests is the only one that reads it.
-    volatile std::sig_atomic_t interrupted = 0, terminated = 0, user_signal = 0;
+// A signal handler can reach nothing but static data; StopRequests is the only one that reads it.
+volatile std::sig_atomic_t interrupted = 0, terminated = 0, user_signal = 0;
 
-    extern "C" void note_signal(int signal)
-    {
-        if (signal == SIGINT || signal == signal_for_interrupt) interrupted = 1;
-        if (signal == SIGTERM || signal == signal_for_terminate) terminated = 1;
-        if (signal == SIGUSR1) user_signal = 1;
-    }
+extern "C" void note_signal(int signal)
+{
+    if (signal == SIGINT || signal == signal_for_interrupt) interrupted = 1;
+    if (signal == SIGTERM || signal == signal_for_terminate) terminated = 1;
+    if (signal == SIGUSR1) user_signal = 1;
+}
 
-    void handle(int signal, void (*handler)(int), int flags)
-    {
-        struct sigaction action {};
-        action.sa_handler = handler;
-        action.sa_flags = flags;
-        sigemptyset(&action.sa_mask);
-        sigaction(signal, &action, nullptr);
-    }
+void handle(int signal, void (*handler)(int), int flags)
+{
+    struct sigaction action {};
+    action.sa_handler = handler;
+    action.sa_flags = flags;
+    sigemptyset(&action.sa_mask);
+    sigaction(signal, &action, nullptr);
+}
 
 } // namespace
 

@@ -8,8 +8,7 @@ namespace io {
 
 static void describe(Schema& s, StressCriteria& p)
 {
-    for (std::size_t m = 0; m < measures.size(); ++m)
-        s.value(measures[m].word, p.bounds[m], measures[m].unit, measures[m].meaning);
+    for (std::size_t m = 0; m < measures.size(); ++m) s.value(measures[m].word, p.bounds[m], measures[m].unit, measures[m].meaning);
 }
 
 static void describe(Schema& s, StressVariant& p)

@@ -8,8 +8,21 @@ namespace io {
 
 /// What is measured; most are the largest of the run; final_*, settling_speed, flow_speed and ledger are those of its end.
 enum class Measure {
-    particle_speed, fluid_speed, energy, pressure, solid_fraction, momentum_defect, exchange_defect,
-    final_particle_speed, final_rms_speed, settling_speed, flow_speed, ledger, pressure_growth, continued_change, continued_pressure
+    particle_speed,
+    fluid_speed,
+    energy,
+    pressure,
+    solid_fraction,
+    momentum_defect,
+    exchange_defect,
+    final_particle_speed,
+    final_rms_speed,
+    settling_speed,
+    flow_speed,
+    ledger,
+    pressure_growth,
+    continued_change,
+    continued_pressure
 };
 
 struct MeasureWords {
@@ -62,14 +75,14 @@ struct StressVariant {
 struct StressCase {
     std::string name, source, meaning;
     SceneSource scene;
-    std::optional<int> steps;             ///< Instead of run.until.
-    std::optional<double> squeeze;        ///< Distances between particles are multiplied by it at the start.
+    std::optional<int> steps;      ///< Instead of run.until.
+    std::optional<double> squeeze; ///< Distances between particles are multiplied by it at the start.
     std::vector<StressVariant> variants;
-    int halve_dt = 0;                     ///< Further variants, each with half the time step of the one before.
+    int halve_dt = 0; ///< Further variants, each with half the time step of the one before.
     std::optional<StressContinuation> go_on;
     StressCriteria criteria;
-    std::vector<std::string> same_bits;   ///< executors, or "restart"
-    std::optional<std::string> refused;   ///< The run must end in an error that contains this.
+    std::vector<std::string> same_bits; ///< executors, or "restart"
+    std::optional<std::string> refused; ///< The run must end in an error that contains this.
 };
 
 void describe(Schema& s, StressCase& stress);

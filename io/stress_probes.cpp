@@ -23,7 +23,8 @@ double largest_pressure(World& world)
     return core::max_over_blocks(world.mesh(), world.ranks(), [&](core::LocalBlock b) {
         const auto p = world.fluid()->state().pressure.on(b);
         double largest = 0;
-        core::for_each_cell(world.mesh().geometry(b).cells, [&](int i, int j, int k) { largest = std::max(largest, std::abs(p(i, j, k))); });
+        core::for_each_cell(world.mesh().geometry(b).cells,
+                            [&](int i, int j, int k) { largest = std::max(largest, std::abs(p(i, j, k))); });
         return largest;
     });
 }
@@ -34,14 +35,17 @@ core::Vec3 mean_velocity(World& world)
     const core::Mesh& mesh = world.mesh();
     core::Vec3 mean;
     for (int axis = 0; axis < 3; ++axis)
-        mean[axis] = core::sum_over_blocks(mesh, world.ranks(), [&](core::LocalBlock b) {
-                         const auto u = world.fluid()->state().velocity.on(b);
-                         const auto& component = axis == 0 ? u.x : axis == 1 ? u.y : u.z;
-                         double sum = 0;
-                         core::for_each_cell(mesh.geometry(b).cells,
-                                             [&](int i, int j, int k) { sum += mesh.geometry(b).volume(i, j, k) * component(i, j, k); });
-                         return sum;
-                     }) / mesh.total_volume();
+        mean[axis] = core::sum_over_blocks(mesh, world.ranks(),
+                                           [&](core::LocalBlock b) {
+                                               const auto u = world.fluid()->state().velocity.on(b);
+                                               const auto& component = axis == 0 ? u.x : axis == 1 ? u.y : u.z;
+                                               double sum = 0;
+                                               core::for_each_cell(mesh.geometry(b).cells, [&](int i, int j, int k) {
+                                                   sum += mesh.geometry(b).volume(i, j, k) * component(i, j, k);
+                                               });
+                                               return sum;
+                                           }) /
+                     mesh.total_volume();
     return mean;
 }
 
@@ -75,10 +79,11 @@ StressProbes::StressProbes(World& world, const StressCriteria& criteria) : world
     if (world.fluid()) add_fluid();
     if (world.grains()) add_particles();
     if (world.coupling()) add_coupling();
-    if (criteria.of(Measure::energy)) during_.push_back({Measure::energy, [this] {
-        const double fluid = world_.fluid() ? column(fluid_metrics(world_), "fluid_kinetic_energy") : 0.0;
-        return fluid + (world_.grains() ? column(particle_metrics(world_), "particle_kinetic_energy") : 0.0);
-    }});
+    if (criteria.of(Measure::energy))
+        during_.push_back({Measure::energy, [this] {
+                               const double fluid = world_.fluid() ? column(fluid_metrics(world_), "fluid_kinetic_energy") : 0.0;
+                               return fluid + (world_.grains() ? column(particle_metrics(world_), "particle_kinetic_energy") : 0.0);
+                           }});
     for (std::size_t m = 0; m < measures.size(); ++m) {
         const auto is_m = [&](const Probe& p) { return p.measure == Measure(m); };
         const bool measured = std::any_of(during_.begin(), during_.end(), is_m) || std::any_of(final_.begin(), final_.end(), is_m);
@@ -132,7 +137,8 @@ void StressProbes::add_coupling()
         return core::max_over_blocks(world_.mesh(), world_.ranks(), [&](core::LocalBlock b) {
             const auto phi = world_.coupling()->fields().fraction.on(b);
             double largest = 0;
-            core::for_each_cell(world_.mesh().geometry(b).cells, [&](int i, int j, int k) { largest = std::max(largest, 1.0 - phi(i, j, k)); });
+            core::for_each_cell(world_.mesh().geometry(b).cells,
+                                [&](int i, int j, int k) { largest = std::max(largest, 1.0 - phi(i, j, k)); });
             return largest;
         });
     });
@@ -149,7 +155,8 @@ void StressProbes::after_step()
         double& largest = values_[std::size_t(probe.measure)];
         const double now = probe.value();
         largest = std::isfinite(now) ? std::max(largest, now) : now;
-        core::require<core::NumericsError>(std::isfinite(now), core::text(measures[std::size_t(probe.measure)].word, " is no number after step ", world_.clock().step));
+        core::require<core::NumericsError>(
+            std::isfinite(now), core::text(measures[std::size_t(probe.measure)].word, " is no number after step ", world_.clock().step));
     }
 }
 

@@ -126,7 +126,8 @@ public:
         const auto& [word, unit, meaning] = measures[std::size_t(m)];
         const Bounds& bounds = *stress_.criteria.of(m);
         const std::string low = std::isfinite(bounds.low) ? fmt::format("{:.4g} to ", bounds.low) : "at most ";
-        add(std::string(word), fmt::format("{:.4g}", value), fmt::format("{}{:.4g} {}", low, bounds.high, unit == "1" ? "" : unit), bounds.hold(value));
+        add(std::string(word), fmt::format("{:.4g}", value), fmt::format("{}{:.4g} {}", low, bounds.high, unit == "1" ? "" : unit),
+            bounds.hold(value));
     }
 
 private:
@@ -232,7 +233,8 @@ std::string table_text(const std::vector<StressVerdict>& verdicts)
 {
     std::string text;
     for (const StressVerdict& v : verdicts)
-        text += fmt::format("{:4} {:24} {:22} {:22} {:>18}  {}\n", v.passed ? "pass" : "FAIL", v.stress_case, v.variant, v.criterion, v.measured, v.bound);
+        text += fmt::format("{:4} {:24} {:22} {:22} {:>18}  {}\n", v.passed ? "pass" : "FAIL", v.stress_case, v.variant, v.criterion,
+                            v.measured, v.bound);
     return text;
 }
 

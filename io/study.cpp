@@ -36,11 +36,13 @@ std::vector<Dimension> axes_of(const Study& study, const Scene& base)
     std::vector<Dimension> axes;
     Dimension cells{"cells", {}}, steps{"steps", {}};
     for (const CellPair& n : study.vary.cells) {
-        const std::string across = fmt::format("grid.pipe.cells.across={}", n.across), along = fmt::format("grid.pipe.cells.along={}", n.along);
+        const std::string across = fmt::format("grid.pipe.cells.across={}", n.across),
+                          along = fmt::format("grid.pipe.cells.along={}", n.along);
         cells.choices.push_back({fmt::format("{}x{}", n.across, n.along), {across, along}});
     }
     const double period = base.fluid && base.fluid->drive ? 1.0 / base.fluid->drive->frequency.value_or(1.0) : 1.0;
-    for (const int n : study.vary.steps_per_period) steps.choices.push_back({std::to_string(n), {fmt::format("run.time_step={} s", number_text(period / n))}});
+    for (const int n : study.vary.steps_per_period)
+        steps.choices.push_back({std::to_string(n), {fmt::format("run.time_step={} s", number_text(period / n))}});
     if (study.error == StudyError::womersley)
         for (Choice& c : steps.choices) c.overrides.push_back(fmt::format("run.until={} s", number_text(study.periods * period)));
     if (!cells.choices.empty()) axes.push_back(cells);
@@ -66,7 +68,8 @@ void check(const Study& study, const Scene& base)
 {
     using core::ConfigError;
     const bool harmonic = base.fluid && base.fluid->drive && base.fluid->drive->frequency;
-    core::require<ConfigError>(study.vary.steps_per_period.empty() || harmonic, "vary.steps_per_period needs fluid.drive.frequency in the scene");
+    core::require<ConfigError>(study.vary.steps_per_period.empty() || harmonic,
+                               "vary.steps_per_period needs fluid.drive.frequency in the scene");
     if (study.error != StudyError::womersley) return;
     core::require<ConfigError>(harmonic && base.grid.pipe && base.particles.empty() && base.fluid->material.viscosity > 0,
                                "error: womersley needs a scene of a pipe with fluid.drive.frequency, a viscosity and no particles");

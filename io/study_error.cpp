@@ -47,7 +47,8 @@ void WomersleyError::after_step()
         auto amplitude = exact_[std::size_t(b)].begin();
         core::for_each_cell(mesh.geometry(b).cells, [&](int i, int j, int k) {
             const double expected = std::real(*amplitude++ * phase);
-            body(mesh.geometry(b).volume(i, j, k), core::Vec3(u.x(i, j, k) - expected, u.y(i, j, k), u.z(i, j, k)).norm(), std::abs(expected));
+            body(mesh.geometry(b).volume(i, j, k), core::Vec3(u.x(i, j, k) - expected, u.y(i, j, k), u.z(i, j, k)).norm(),
+                 std::abs(expected));
         });
     };
     const auto sum = [&](auto term) {
@@ -97,7 +98,8 @@ std::vector<double> SampledCurves::values() const
     for (const MetricGroup& group : groups_) {
         const auto row = group.values();
         for (std::size_t n = 0; n < row.size(); ++n)
-            if (group.names[n] == "axis_speed" || (group.names[n].starts_with("mean_height_") && !group.names[n].starts_with("mean_height_error_")))
+            if (group.names[n] == "axis_speed" ||
+                (group.names[n].starts_with("mean_height_") && !group.names[n].starts_with("mean_height_error_")))
                 all.push_back(row[n]);
     }
     return all;

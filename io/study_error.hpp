@@ -28,7 +28,7 @@ public:
 
 private:
     World& world_;
-    double start_; ///< of the last period [s]
+    double start_;                                         ///< of the last period [s]
     std::vector<std::vector<std::complex<double>>> exact_; ///< amplitude in each cell of each own block
     double squares_ = 0, exact_squares_ = 0, worst_ = 0, largest_ = 0;
 };

@@ -25,7 +25,8 @@ const StudyRun* next_coarser(const std::vector<StudyRun>& runs, const StudyRun& 
 {
     const StudyRun* best = nullptr;
     for (const StudyRun& r : runs)
-        if (neighbours(r, run) && larger(r.*size, run.*size) && same(r.*other, run.*other) && (best == nullptr || r.*size < best->*size)) best = &r;
+        if (neighbours(r, run) && larger(r.*size, run.*size) && same(r.*other, run.*other) && (best == nullptr || r.*size < best->*size))
+            best = &r;
     return best;
 }
 
@@ -65,7 +66,8 @@ std::vector<ObservedOrders> observed_orders(const std::vector<StudyRun>& runs, c
         const StudyRun* middle = next_coarser(runs, run, &StudyRun::dt, &StudyRun::h);
         const StudyRun* coarse = middle == nullptr ? nullptr : next_coarser(runs, *middle, &StudyRun::dt, &StudyRun::h);
         if (coarse != nullptr)
-            orders[n].dt = order_from_differences({coarse->dt, middle->dt, run.dt}, distance(*coarse, *middle, ranks), distance(*middle, run, ranks));
+            orders[n].dt =
+                order_from_differences({coarse->dt, middle->dt, run.dt}, distance(*coarse, *middle, ranks), distance(*middle, run, ranks));
     }
     return orders;
 }

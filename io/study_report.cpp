@@ -111,31 +111,35 @@ std::string table_text(const StudyReport& report)
 {
     std::string text;
     for (const std::string& axis : report.plan.axes) text += fmt::format("{:>10} ", axis);
-    text += fmt::format("{:>9} {:>9} {:>10} {:>10} {:>7} {:>8} {:>9} {:>9} {:>12} {:>10}\n", "h [mm]", "dt [ms]", "e_2", "e_inf", "order h", "order dt",
-                        "core-s", "cpu [s]", "cell-steps/s", "iterations");
+    text += fmt::format("{:>9} {:>9} {:>10} {:>10} {:>7} {:>8} {:>9} {:>9} {:>12} {:>10}\n", "h [mm]", "dt [ms]", "e_2", "e_inf", "order h",
+                        "order dt", "core-s", "cpu [s]", "cell-steps/s", "iterations");
     for (std::size_t n = 0; n < report.runs.size(); ++n) {
         const StudyRun& run = report.runs[n];
         for (const std::string& label : run.labels) text += fmt::format("{:>10} ", label);
         const std::string e_2 = run.is_reference ? "reference" : fmt::format("{:.3e}", run.error.e_2);
-        text += fmt::format("{:>9.4g} {:>9.4g} {:>10} {:>10} {:>7} {:>8} {:>9.3f} {:>9.3f} {:>12.3g} {:>10.1f}{}\n", 1e3 * run.h, 1e3 * run.dt, e_2,
-                            number(known(run, run.error.e_inf), "{:.3e}"), number(report.orders[n].h), number(report.orders[n].dt), run.core_seconds(),
-                            run.processor, run.cell_steps_per_second(), run.iterations, report.front[n] ? " *" : "");
+        text +=
+            fmt::format("{:>9.4g} {:>9.4g} {:>10} {:>10} {:>7} {:>8} {:>9.3f} {:>9.3f} {:>12.3g} {:>10.1f}{}\n", 1e3 * run.h, 1e3 * run.dt,
+                        e_2, number(known(run, run.error.e_inf), "{:.3e}"), number(report.orders[n].h), number(report.orders[n].dt),
+                        run.core_seconds(), run.processor, run.cell_steps_per_second(), run.iterations, report.front[n] ? " *" : "");
     }
     return text + "* no other run has both a smaller error and fewer core-seconds\n";
 }
 
 std::string csv_text(const StudyReport& report)
 {
-    std::string text = joined(report.plan.axes, ",") + ",ranks,threads,h,dt,tolerance,cells,particles,steps,e_2,e_inf,order_h,order_dt,wall_seconds,"
-                                                       "core_seconds,processor_seconds,cell_steps_per_second,pressure_iterations,on_front\n";
+    std::string text = joined(report.plan.axes, ",") +
+                       ",ranks,threads,h,dt,tolerance,cells,particles,steps,e_2,e_inf,order_h,order_dt,wall_seconds,"
+                       "core_seconds,processor_seconds,cell_steps_per_second,pressure_iterations,on_front\n";
     for (std::size_t n = 0; n < report.runs.size(); ++n) {
         const StudyRun& run = report.runs[n];
-        for (const std::string& label : run.labels) text += label.find_first_of(",\"") == std::string::npos ? label + "," : "\"" + label + "\",";
-        text += fmt::format("{},{},{},{},{},{},{},{},", run.ranks, run.threads, run.h, run.dt, run.tolerance, run.cells, run.particles, run.steps);
+        for (const std::string& label : run.labels)
+            text += label.find_first_of(",\"") == std::string::npos ? label + "," : "\"" + label + "\",";
+        text += fmt::format("{},{},{},{},{},{},{},{},", run.ranks, run.threads, run.h, run.dt, run.tolerance, run.cells, run.particles,
+                            run.steps);
         for (const auto& value : {known(run, run.error.e_2), known(run, run.error.e_inf), report.orders[n].h, report.orders[n].dt})
             text += number(value, "{:.6g}") + ",";
-        text += fmt::format("{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{}\n", run.wall, run.core_seconds(), run.processor, run.cell_steps_per_second(),
-                            run.iterations, int(report.front[n]));
+        text += fmt::format("{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{}\n", run.wall, run.core_seconds(), run.processor,
+                            run.cell_steps_per_second(), run.iterations, int(report.front[n]));
     }
     return text;
 }

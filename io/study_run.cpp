@@ -55,10 +55,7 @@ double cell_size(const World& world)
     return std::sqrt(volume / pipe.length / (cells / pipe.chosen_cells().along));
 }
 
-double iterations_of(World& world)
-{
-    return world.fluid() ? world.fluid()->pressure_system().report().iterations : 0.0;
-}
+double iterations_of(World& world) { return world.fluid() ? world.fluid()->pressure_system().report().iterations : 0.0; }
 
 StudyRun run_once(const Study& study, const StudyCase& one, const core::Communicator& ranks, const StudyResources& resources)
 {

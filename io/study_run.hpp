@@ -27,8 +27,8 @@ struct StudyRun {
     double wall = 0;       ///< real time of the stepping alone [s]
     double processor = 0;  ///< processor time of all threads and ranks in it [s]
     ErrorNorms error;
-    bool is_reference = false;  ///< its error is not known
-    std::vector<double> trace;  ///< of this rank; see study_error.hpp
+    bool is_reference = false; ///< its error is not known
+    std::vector<double> trace; ///< of this rank; see study_error.hpp
     std::vector<std::string> warnings;
 
     [[nodiscard]] double core_seconds() const { return wall * ranks * threads; }

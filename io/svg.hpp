@@ -18,7 +18,8 @@ inline constexpr std::array<const char*, 6> colours{"#1f6f8b", "#d1603d", "#5b8c
     return out;
 }
 
-[[nodiscard]] inline std::string text(double x, double y, const std::string& anchor, const std::string& words, const std::string& extra = "")
+[[nodiscard]] inline std::string text(double x, double y, const std::string& anchor, const std::string& words,
+                                      const std::string& extra = "")
 {
     return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\" {}>{}</text>\n", x, y, anchor, extra, escaped(words));
 }

@@ -10,111 +10,99 @@ namespace io {
 
 namespace {
 
-    using Shape = Value::Shape;
+using Shape = Value::Shape;
 
-    /// The text of a scalar; a problem, and nothing, for anything else.
-    [[nodiscard]] std::optional<std::string> scalar(const Node& node, const std::string& form, const Reading& reading)
-    {
-        if (node.kind == Node::Kind::scalar) return node.text;
-        reading.problems.add(node.mark, fmt::format("a value is needed here, not {}", name_of(node.kind)),
-                             "write " + form);
-        return {};
+/// The text of a scalar; a problem, and nothing, for anything else.
+[[nodiscard]] std::optional<std::string> scalar(const Node& node, const std::string& form, const Reading& reading)
+{
+    if (node.kind == Node::Kind::scalar) return node.text;
+    reading.problems.add(node.mark, fmt::format("a value is needed here, not {}", name_of(node.kind)), "write " + form);
+    return {};
+}
+
+void read_quantity(const Node& node, const Value& value, double& place, const Reading& reading)
+{
+    const auto text = scalar(node, form_of(value), reading);
+    if (!text) return;
+    const auto [number, error, hint] = reading.units.read(*text, value.unit);
+    if (!error.empty()) return reading.problems.add(node.mark, error, hint);
+    if (!value.range.contains(number))
+        return reading.problems.add(node.mark, fmt::format("'{}' is out of range", *text), "write " + form_of(value));
+    place = number;
+}
+
+void read_integer(const Node& node, const Value& value, int& place, const Reading& reading)
+{
+    const auto text = scalar(node, form_of(value), reading);
+    if (!text) return;
+    int number = 0;
+    const char* begin = text->data() + (text->starts_with('+') ? 1 : 0);
+    const auto [end, error] = std::from_chars(begin, text->data() + text->size(), number);
+    if (error != std::errc() || end != text->data() + text->size())
+        return reading.problems.add(node.mark, fmt::format("'{}' is not a whole number", *text), "write " + form_of(value));
+    if (!value.range.contains(number))
+        return reading.problems.add(node.mark, fmt::format("'{}' is out of range", *text), "write " + form_of(value));
+    place = number;
+}
+
+[[nodiscard]] bool read_three(const Node& node, const Value& value, const Reading& reading)
+{
+    if (node.kind == Node::Kind::list && node.items.size() == 3) return true;
+    const std::string found = node.kind == Node::Kind::list ? fmt::format("a list of {}", node.items.size()) : name_of(node.kind);
+    reading.problems.add(node.mark, "three values [x, y, z] are needed here, not " + found, "write " + form_of(value));
+    return false;
+}
+
+[[nodiscard]] std::string quantity_text(double number, const std::string& unit)
+{
+    return unit == "1" ? number_text(number) : number_text(number) + " " + unit;
+}
+
+[[nodiscard]] Value make(Shape shape, std::string_view unit, Range range, int length = 0)
+{
+    Value value;
+    value.shape = shape;
+    value.unit = unit;
+    value.range = range;
+    value.length = length;
+    return value;
+}
+
+constexpr std::array<std::string_view, 6> axis_words{"+x", "-x", "+y", "-y", "+z", "-z"};
+
+void read_direction(const Node& node, const Value& value, core::Vec3& place, const Reading& reading)
+{
+    if (node.kind == Node::Kind::scalar) {
+        const Node with_sign = [&] {
+            Node copy = node;
+            if (copy.text.size() == 1) copy.text.insert(0, 1, '+');
+            return copy;
+        }();
+        const int n = read_choice(with_sign, axis_words, reading);
+        if (n >= 0) place = core::Vec3::Unit(n / 2) * (n % 2 == 0 ? 1.0 : -1.0);
+        return;
     }
+    if (!read_three(node, value, reading)) return;
+    core::Vec3 vector = core::Vec3::Zero();
+    const Value number = make(Shape::number, "1", any_number);
+    for (int axis = 0; axis < 3; ++axis) read_quantity(node.items[static_cast<std::size_t>(axis)], number, vector[axis], reading);
+    if (vector.norm() == 0.0) return reading.problems.add(node.mark, "a direction must not be zero", "write " + form_of(value));
+    place = vector.normalized() == vector ? vector : vector.normalized();
+}
 
-    void read_quantity(const Node& node, const Value& value, double& place, const Reading& reading)
-    {
-        const auto text = scalar(node, form_of(value), reading);
-        if (!text) return;
-        const auto [number, error, hint] = reading.units.read(*text, value.unit);
-        if (!error.empty()) return reading.problems.add(node.mark, error, hint);
-        if (!value.range.contains(number))
-            return reading.problems.add(node.mark, fmt::format("'{}' is out of range", *text),
-                                        "write " + form_of(value));
-        place = number;
-    }
-
-    void read_integer(const Node& node, const Value& value, int& place, const Reading& reading)
-    {
-        const auto text = scalar(node, form_of(value), reading);
-        if (!text) return;
-        int number = 0;
-        const char* begin = text->data() + (text->starts_with('+') ? 1 : 0);
-        const auto [end, error] = std::from_chars(begin, text->data() + text->size(), number);
-        if (error != std::errc() || end != text->data() + text->size())
-            return reading.problems.add(node.mark, fmt::format("'{}' is not a whole number", *text),
-                                        "write " + form_of(value));
-        if (!value.range.contains(number))
-            return reading.problems.add(node.mark, fmt::format("'{}' is out of range", *text),
-                                        "write " + form_of(value));
-        place = number;
-    }
-
-    [[nodiscard]] bool read_three(const Node& node, const Value& value, const Reading& reading)
-    {
-        if (node.kind == Node::Kind::list && node.items.size() == 3) return true;
-        const std::string found = node.kind == Node::Kind::list
-                                      ? fmt::format("a list of {}", node.items.size())
-                                      : name_of(node.kind);
-        reading.problems.add(node.mark, "three values [x, y, z] are needed here, not " + found,
-                             "write " + form_of(value));
-        return false;
-    }
-
-    [[nodiscard]] std::string quantity_text(double number, const std::string& unit)
-    {
-        return unit == "1" ? number_text(number) : number_text(number) + " " + unit;
-    }
-
-    [[nodiscard]] Value make(Shape shape, std::string_view unit, Range range, int length = 0)
-    {
-        Value value;
-        value.shape = shape;
-        value.unit = unit;
-        value.range = range;
-        value.length = length;
-        return value;
-    }
-
-    constexpr std::array<std::string_view, 6> axis_words{"+x", "-x", "+y", "-y", "+z", "-z"};
-
-    void read_direction(const Node& node, const Value& value, core::Vec3& place, const Reading& reading)
-    {
-        if (node.kind == Node::Kind::scalar) {
-            const Node with_sign = [&] {
-                Node copy = node;
-                if (copy.text.size() == 1) copy.text.insert(0, 1, '+');
-                return copy;
-            }();
-            const int n = read_choice(with_sign, axis_words, reading);
-            if (n >= 0) place = core::Vec3::Unit(n / 2) * (n % 2 == 0 ? 1.0 : -1.0);
-            return;
-        }
-        if (!read_three(node, value, reading)) return;
-        core::Vec3 vector = core::Vec3::Zero();
-        const Value number = make(Shape::number, "1", any_number);
-        for (int axis = 0; axis < 3; ++axis)
-            read_quantity(node.items[static_cast<std::size_t>(axis)], number, vector[axis], reading);
-        if (vector.norm() == 0.0)
-            return reading.problems.add(node.mark, "a direction must not be zero", "write " + form_of(value));
-        place = vector.normalized() == vector ? vector : vector.normalized();
-    }
-
-    [[nodiscard]] std::string direction_text(const core::Vec3& direction)
-    {
-        for (int n = 0; n < 6; ++n)
-            if (direction == core::Vec3::Unit(n / 2) * (n % 2 == 0 ? 1.0 : -1.0))
-                return std::string(axis_words[static_cast<std::size_t>(n)]);
-        return fmt::format("[{}, {}, {}]", number_text(direction.x()), number_text(direction.y()),
-                           number_text(direction.z()));
-    }
+[[nodiscard]] std::string direction_text(const core::Vec3& direction)
+{
+    for (int n = 0; n < 6; ++n)
+        if (direction == core::Vec3::Unit(n / 2) * (n % 2 == 0 ? 1.0 : -1.0)) return std::string(axis_words[static_cast<std::size_t>(n)]);
+    return fmt::format("[{}, {}, {}]", number_text(direction.x()), number_text(direction.y()), number_text(direction.z()));
+}
 
 } // namespace
 
 std::string Range::text() const
 {
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    if (low > -infinity && high < infinity)
-        return fmt::format("{}{} to {}", low_open ? "above " : "", number_text(low), number_text(high));
+    if (low > -infinity && high < infinity) return fmt::format("{}{} to {}", low_open ? "above " : "", number_text(low), number_text(high));
     if (low > -infinity) return fmt::format("{} {}", low_open ? ">" : ">=", number_text(low));
     if (high < infinity) return "<= " + number_text(high);
     return "";
@@ -173,12 +161,10 @@ Value value_of(core::Vec3& place, std::string_view unit, Range range)
     value.read = [&place, value](const Node& node, const Reading& reading) {
         if (!read_three(node, value, reading)) return;
         Value one = make(value.shape, value.unit, value.range);
-        for (int axis = 0; axis < 3; ++axis)
-            read_quantity(node.items[static_cast<std::size_t>(axis)], one, place[axis], reading);
+        for (int axis = 0; axis < 3; ++axis) read_quantity(node.items[static_cast<std::size_t>(axis)], one, place[axis], reading);
     };
     value.write = [&place, u = value.unit] {
-        return fmt::format("[{}, {}, {}]", quantity_text(place.x(), u), quantity_text(place.y(), u),
-                           quantity_text(place.z(), u));
+        return fmt::format("[{}, {}, {}]", quantity_text(place.x(), u), quantity_text(place.y(), u), quantity_text(place.z(), u));
     };
     return value;
 }
@@ -218,9 +204,8 @@ int read_choice(const Node& node, std::span<const std::string_view> words, const
 
 std::string yaml_text(const std::string& text)
 {
-    const bool plain = std::all_of(text.begin(), text.end(), [](char c) {
-        return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-';
-    });
+    const bool plain = std::all_of(text.begin(), text.end(),
+                                   [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-'; });
     if (plain && !text.empty() && text.front() != '-' && text != "null" && text != "Null" && text != "NULL") return text;
     std::string quoted = "\"";
     for (char c : text) {

@@ -57,10 +57,10 @@ struct Reading {
 struct Value {
     enum class Shape { text, integer, number, quantity, choice, width, interval, direction };
     Shape shape = Shape::text;
-    std::string unit;                   ///< Of a quantity; "1" for a pure number; empty for the rest.
+    std::string unit; ///< Of a quantity; "1" for a pure number; empty for the rest.
     Range range;
-    std::vector<std::string> words;     ///< Of a choice.
-    int length = 0;                     ///< 0: a single value; n > 0: a list of n; -1: a list of any length.
+    std::vector<std::string> words; ///< Of a choice.
+    int length = 0;                 ///< 0: a single value; n > 0: a list of n; -1: a list of any length.
     std::function<void(const Node&, const Reading&)> read;
     std::function<std::string()> write; ///< YAML text of the present value; empty when there is none.
 };
@@ -110,9 +110,7 @@ template <class Enumeration>
     value.read = [&place, words](const Node& node, const Reading& reading) {
         if (const int n = read_choice(node, words, reading); n >= 0) place = static_cast<Enumeration>(n);
     };
-    value.write = [&place, words] {
-        return place ? std::string(words[static_cast<std::size_t>(*place)]) : std::string();
-    };
+    value.write = [&place, words] { return place ? std::string(words[static_cast<std::size_t>(*place)]) : std::string(); };
     return value;
 }
 
@@ -133,8 +131,7 @@ template <class Enumeration>
     };
     value.write = [&place, words] {
         std::string all;
-        for (auto word : place)
-            all += (all.empty() ? "" : ", ") + std::string(words[static_cast<std::size_t>(word)]);
+        for (auto word : place) all += (all.empty() ? "" : ", ") + std::string(words[static_cast<std::size_t>(word)]);
         return "[" + all + "]";
     };
     return value;
@@ -151,9 +148,7 @@ template <class T>
         value_of(read, u, range).read(node, reading);
         place = read;
     };
-    value.write = [&place, u = std::string(unit), range] {
-        return place ? value_of(*place, u, range).write() : std::string();
-    };
+    value.write = [&place, u = std::string(unit), range] { return place ? value_of(*place, u, range).write() : std::string(); };
     return value;
 }
 

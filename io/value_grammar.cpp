@@ -9,78 +9,74 @@ namespace io {
 
 namespace {
 
-    [[nodiscard]] bool is_scalar(const Node& node, const Value& value, const Reading& reading)
-    {
-        if (node.kind == Node::Kind::scalar) return true;
-        reading.problems.add(node.mark, fmt::format("a value is needed here, not {}", name_of(node.kind)),
-                             "write " + form_of(value));
-        return false;
-    }
+[[nodiscard]] bool is_scalar(const Node& node, const Value& value, const Reading& reading)
+{
+    if (node.kind == Node::Kind::scalar) return true;
+    reading.problems.add(node.mark, fmt::format("a value is needed here, not {}", name_of(node.kind)), "write " + form_of(value));
+    return false;
+}
 
-    void read_width(const Node& node, const Value& value, Width& place, const Reading& reading)
-    {
-        if (!is_scalar(node, value, reading)) return;
-        const auto [number, unit] = split_quantity(node.text);
-        Width width{0.0, unit == "d"};
-        if (width.in_diameters) {
-            width.value = reading.units.read(number, "1").value;
-        } else {
-            const QuantityResult length = reading.units.read(node.text, "m");
-            if (!length.error.empty())
-                return reading.problems.add(node.mark, length.error, "write " + form_of(value));
-            width.value = length.value;
-        }
-        if (!value.range.contains(width.value))
-            return reading.problems.add(node.mark, fmt::format("'{}' is out of range", node.text),
-                                        "write " + form_of(value));
-        place = width;
-    }
-
-    /// Takes a word off the end of the text.
-    [[nodiscard]] bool take_last_word(std::string& text, const std::string& word)
-    {
-        if (!text.ends_with(" " + word)) return false;
-        text.resize(text.find_last_not_of(' ', text.size() - word.size() - 1) + 1);
-        return true;
-    }
-
-    void read_interval(const Node& node, const Value& value, Interval& place, const Reading& reading)
-    {
-        if (!is_scalar(node, value, reading)) return;
-        if (node.text == "never") {
-            place = {};
-            return;
-        }
-        const std::string every = "every ";
-        if (!node.text.starts_with(every))
-            return reading.problems.add(node.mark, fmt::format("'{}' is not an interval", node.text),
-                                        "write " + form_of(value));
-        std::string rest = node.text.substr(every.size());
-        Interval interval{Interval::Clock::simulated};
-        if (take_last_word(rest, "wall")) interval.clock = Interval::Clock::wall;
-        else if (take_last_word(rest, "steps")) interval.clock = Interval::Clock::steps;
-        const bool counts = interval.clock == Interval::Clock::steps;
-        const QuantityResult length = reading.units.read(rest, counts ? "1" : "s");
+void read_width(const Node& node, const Value& value, Width& place, const Reading& reading)
+{
+    if (!is_scalar(node, value, reading)) return;
+    const auto [number, unit] = split_quantity(node.text);
+    Width width{0.0, unit == "d"};
+    if (width.in_diameters) {
+        width.value = reading.units.read(number, "1").value;
+    } else {
+        const QuantityResult length = reading.units.read(node.text, "m");
         if (!length.error.empty()) return reading.problems.add(node.mark, length.error, "write " + form_of(value));
-        interval.every = length.value;
-        const bool whole = interval.every == static_cast<double>(static_cast<long long>(interval.every));
-        if (interval.every <= 0.0 || (counts && !whole))
-            return reading.problems.add(node.mark, fmt::format("'{}' is out of range", node.text),
-                                        counts ? "write a whole number of steps > 0" : "write a time > 0 s");
-        place = interval;
+        width.value = length.value;
     }
+    if (!value.range.contains(width.value))
+        return reading.problems.add(node.mark, fmt::format("'{}' is out of range", node.text), "write " + form_of(value));
+    place = width;
+}
 
-    [[nodiscard]] std::string interval_text(const Interval& interval)
-    {
-        const std::string number = number_text(interval.every);
-        switch (interval.clock) {
-        case Interval::Clock::never: return "never";
-        case Interval::Clock::simulated: return "every " + number + " s";
-        case Interval::Clock::wall: return "every " + number + " s wall";
-        case Interval::Clock::steps: return "every " + number + " steps";
-        }
-        return "";
+/// Takes a word off the end of the text.
+[[nodiscard]] bool take_last_word(std::string& text, const std::string& word)
+{
+    if (!text.ends_with(" " + word)) return false;
+    text.resize(text.find_last_not_of(' ', text.size() - word.size() - 1) + 1);
+    return true;
+}
+
+void read_interval(const Node& node, const Value& value, Interval& place, const Reading& reading)
+{
+    if (!is_scalar(node, value, reading)) return;
+    if (node.text == "never") {
+        place = {};
+        return;
     }
+    const std::string every = "every ";
+    if (!node.text.starts_with(every))
+        return reading.problems.add(node.mark, fmt::format("'{}' is not an interval", node.text), "write " + form_of(value));
+    std::string rest = node.text.substr(every.size());
+    Interval interval{Interval::Clock::simulated};
+    if (take_last_word(rest, "wall")) interval.clock = Interval::Clock::wall;
+    else if (take_last_word(rest, "steps")) interval.clock = Interval::Clock::steps;
+    const bool counts = interval.clock == Interval::Clock::steps;
+    const QuantityResult length = reading.units.read(rest, counts ? "1" : "s");
+    if (!length.error.empty()) return reading.problems.add(node.mark, length.error, "write " + form_of(value));
+    interval.every = length.value;
+    const bool whole = interval.every == static_cast<double>(static_cast<long long>(interval.every));
+    if (interval.every <= 0.0 || (counts && !whole))
+        return reading.problems.add(node.mark, fmt::format("'{}' is out of range", node.text),
+                                    counts ? "write a whole number of steps > 0" : "write a time > 0 s");
+    place = interval;
+}
+
+[[nodiscard]] std::string interval_text(const Interval& interval)
+{
+    const std::string number = number_text(interval.every);
+    switch (interval.clock) {
+    case Interval::Clock::never: return "never";
+    case Interval::Clock::simulated: return "every " + number + " s";
+    case Interval::Clock::wall: return "every " + number + " s wall";
+    case Interval::Clock::steps: return "every " + number + " steps";
+    }
+    return "";
+}
 
 } // namespace
 

@@ -9,10 +9,7 @@
 
 namespace io {
 
-std::string git_commit()
-{
-    return built_commit;
-}
+std::string git_commit() { return built_commit; }
 
 std::vector<std::pair<std::string, std::string>> library_versions()
 {

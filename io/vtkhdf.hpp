@@ -21,8 +21,7 @@ struct ResultTime {
 class FluidResults {
 public:
     /// @param nodes  Of this rank's blocks, in local order.
-    FluidResults(const std::string& directory, const core::Communicator& ranks, BlockList blocks,
-                 const std::vector<BlockNodes>& nodes);
+    FluidResults(const std::string& directory, const core::Communicator& ranks, BlockList blocks, const std::vector<BlockNodes>& nodes);
     /// @param fields  Scalars and vectors in cells.
     /// @return path of the file
     std::string write(ResultTime when, const std::vector<FieldViews<const double>>& fields);
@@ -36,8 +35,8 @@ private:
     core::Communicator ranks_;
     BlockList blocks_;
     std::vector<core::LocalBlock> order_;
-    std::vector<std::int64_t> extents_;  ///< of every block, 3 each
-    std::vector<std::int64_t> cells_;    ///< of every block
+    std::vector<std::int64_t> extents_; ///< of every block, 3 each
+    std::vector<std::int64_t> cells_;   ///< of every block
     Series series_;
 };
 

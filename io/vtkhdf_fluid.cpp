@@ -11,8 +11,8 @@
 namespace io {
 namespace {
 
-constexpr const char* geometry[] = {"NumberOfPoints", "NumberOfCells", "NumberOfConnectivityIds", "Points",
-                                    "Connectivity",   "Offsets",       "Types"};
+constexpr const char* geometry[] = {"NumberOfPoints", "NumberOfCells", "NumberOfConnectivityIds", "Points", "Connectivity",
+                                    "Offsets",        "Types"};
 
 core::Extents nodes_of(core::Extents cells) { return {cells.ni + 1, cells.nj + 1, cells.nk + 1}; }
 
@@ -30,8 +30,7 @@ void add_hexahedra(core::Extents cells, std::vector<std::int64_t>& connectivity)
 std::vector<std::int64_t> per_block(const std::vector<std::int64_t>& extents, const std::function<std::int64_t(core::Extents)>& size)
 {
     std::vector<std::int64_t> sizes;
-    for (std::size_t b = 0; b < extents.size(); b += 3)
-        sizes.push_back(size({int(extents[b]), int(extents[b + 1]), int(extents[b + 2])}));
+    for (std::size_t b = 0; b < extents.size(); b += 3) sizes.push_back(size({int(extents[b]), int(extents[b + 1]), int(extents[b + 2])}));
     return sizes;
 }
 
@@ -39,8 +38,12 @@ std::vector<std::int64_t> per_block(const std::vector<std::int64_t>& extents, co
 
 FluidResults::FluidResults(const std::string& directory, const core::Communicator& ranks, BlockList blocks,
                            const std::vector<BlockNodes>& nodes)
-    : directory_(directory), ranks_(ranks), blocks_(std::move(blocks)), order_(in_global_order(blocks_)),
-      extents_(std::size_t(3 * blocks_.total), 0), series_(directory + "/fluid.hdf.series")
+    : directory_(directory),
+      ranks_(ranks),
+      blocks_(std::move(blocks)),
+      order_(in_global_order(blocks_)),
+      extents_(std::size_t(3 * blocks_.total), 0),
+      series_(directory + "/fluid.hdf.series")
 {
     for (std::size_t b = 0; b < nodes.size(); ++b)
         for (int axis = 0; axis < 3; ++axis) extents_[std::size_t(3 * blocks_.own[b] + axis)] = nodes[b].cells[axis];
@@ -127,8 +130,7 @@ std::string FluidResults::write(ResultTime when, const std::vector<FieldViews<co
 {
     const std::string path = fmt::format("{}/fluid_{:06}.hdf", directory_, when.number);
     return detail::write_result(path, ranks_, series_, when.time, [&](hdf5::File& file) {
-        for (const char* name : geometry)
-            file.link(std::string("VTKHDF/") + name, "grid.h5", std::string("grid/") + name);
+        for (const char* name : geometry) file.link(std::string("VTKHDF/") + name, "grid.h5", std::string("grid/") + name);
         detail::write_from_root(file, ranks_, "meta/extents", extents_, 3);
         for (const auto& field : fields) write_field(file, field);
     });

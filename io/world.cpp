@@ -36,8 +36,12 @@ void settle_grains(physics::ParticleStepper& stepper, const core::Vec3& gravity,
 World::World(const Scene& scene, const core::Communicator& ranks) : World(scene, make_blocks(scene.grid), ranks) {}
 
 World::World(const Scene& scene, core::MultiBlock blocks, const core::Communicator& ranks)
-    : scene_(scene), ranks_(ranks), mesh_(std::move(blocks), ranks.rank(), ranks.size()), locator_(mesh_),
-      halos_(mesh_, ranks_), graph_(layout(), ranks_)
+    : scene_(scene),
+      ranks_(ranks),
+      mesh_(std::move(blocks), ranks.rank(), ranks.size()),
+      locator_(mesh_),
+      halos_(mesh_, ranks_),
+      graph_(layout(), ranks_)
 {
     graph_.fill_halos_with(halos_);
     if (scene_.fluid) {
@@ -66,10 +70,7 @@ tasks::Layout World::layout() const
     return layout;
 }
 
-int World::owner_of(const core::Vec3& position) const
-{
-    return locator_.owner(position + grains_->domain().origin);
-}
+int World::owner_of(const core::Vec3& position) const { return locator_.owner(position + grains_->domain().origin); }
 
 void World::make_coupling()
 {
@@ -93,10 +94,7 @@ void World::make_company()
     coupling_->keep_company({before, after});
 }
 
-double World::settling_left() const
-{
-    return grains_ ? std::max(0.0, std::ceil(scene_.run.settle / contact_step_) - settled_) : 0.0;
-}
+double World::settling_left() const { return grains_ ? std::max(0.0, std::ceil(scene_.run.settle / contact_step_) - settled_) : 0.0; }
 
 void World::settle_batch(const core::Team& team)
 {

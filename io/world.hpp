@@ -136,7 +136,7 @@ private:
     double settled_ = 0;
     int sub_steps_ = 0;
     double contact_step_ = 0; ///< the longest sub-step of the grains that resolves their contacts [s]
-    std::string limit_name_; ///< of the last step
+    std::string limit_name_;  ///< of the last step
     double shortening_ = 1.0; ///< of the step that is being tried again
     StateCopy before_;
     std::vector<std::string> warnings_, notes_;

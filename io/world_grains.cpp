@@ -95,8 +95,8 @@ physics::ParticleDynamics make_dynamics(const Scene& scene, const core::Mesh& me
 {
     const physics::ParticleParameters parameters = particle_parameters(scene);
     const bool faces = scene.contact->walls == WallShape::faces;
-    physics::ParticleDynamics dynamics(make_domain(scene.grid), parameters, faces ? std::vector<physics::Wall>{} : primitive_walls(scene.grid),
-                                       sub_step(scene, parameters));
+    physics::ParticleDynamics dynamics(make_domain(scene.grid), parameters,
+                                       faces ? std::vector<physics::Wall>{} : primitive_walls(scene.grid), sub_step(scene, parameters));
     if (faces) dynamics.set_surface(wall_surface(scene, mesh, dynamics.domain()));
     return dynamics;
 }

@@ -24,7 +24,8 @@ void World::plan_mode()
     tasks::run(ranks_, core::SerialTeam(), [&](tasks::Lane& lane) { return coupling_->find_fraction(lane); });
     const physics::ModeChoice expected = physics::mode_of_step(asked_mode_, stability(next_step()), 1);
     planned_mode_ = asked_mode_.value_or(expected.mode);
-    if (expected.mode != physics::Mode::iterated) told_modes_.insert(expected.mode); // which costs three times as much: a warning when it comes
+    if (expected.mode != physics::Mode::iterated)
+        told_modes_.insert(expected.mode); // which costs three times as much: a warning when it comes
     mode_reason_ = expected.reason;
     if (asked_mode_ != physics::Mode::iterated) mode_reason_ += "; so it seems at the start, where the first step is iterated";
 }
@@ -39,9 +40,11 @@ physics::Mode World::choose_mode()
     if (coupling_->bed_gives_way && !told_of_soft_springs_) {
         told_of_soft_springs_ = true;
         const double enough = scene_.contact->stiffness * numbers.softness / physics::swaying_softness;
-        warnings_.push_back(core::text("springs are soft against drag, K/(k dt) = ", numbers.softness, " where ", physics::swaying_softness,
-                                       " holds a bed: it goes with the fluid, and grains resist less what flows between them; for beds that "
-                                       "hold, make contact.stiffness ", enough, " N/m"));
+        warnings_.push_back(
+            core::text("springs are soft against drag, K/(k dt) = ", numbers.softness, " where ", physics::swaying_softness,
+                       " holds a bed: it goes with the fluid, and grains resist less what flows between them; for beds that "
+                       "hold, make contact.stiffness ",
+                       enough, " N/m"));
     }
     if (step > 0 && choice.mode != asked_mode_ && told_modes_.insert(choice.mode).second) { // it may come and go
         const bool safer = choice.mode == physics::Mode::iterated;

@@ -57,7 +57,8 @@ core::Array3<double> speed_on(const physics::FluidState& state, core::LocalBlock
 {
     const auto u = state.velocity.on(b);
     core::Array3<double> speed(u.x.extents());
-    physics::map_cells(speed.view(), [](double x, double y, double z) { return std::sqrt(x * x + y * y + z * z); }, u.x, u.y, u.z);
+    physics::map_cells(
+        speed.view(), [](double x, double y, double z) { return std::sqrt(x * x + y * y + z * z); }, u.x, u.y, u.z);
     return speed;
 }
 

@@ -11,7 +11,7 @@
 namespace io {
 namespace {
 
-constexpr int dry_batch = 100;     // sub-steps in a step of a scene without fluid
+constexpr int dry_batch = 100;      // sub-steps in a step of a scene without fluid
 constexpr double still_steps = 200; // steps of a fluid that nothing moves, over the whole run
 
 } // namespace
@@ -51,9 +51,10 @@ double World::next_step()
     const double dt = limit.dt;
     if (!grains_) return dt;
     constexpr double most_sub_steps = 1e9;
-    core::require<core::ConfigError>(dt < most_sub_steps * contact_step_,
-                                     core::text("a step of ", dt, " s would need ", dt / contact_step_, " sub-steps of the grains, of ", contact_step_,
-                                                " s each: contacts this stiff, or grains this light, cannot be computed; look at contact.stiffness"));
+    core::require<core::ConfigError>(
+        dt < most_sub_steps * contact_step_,
+        core::text("a step of ", dt, " s would need ", dt / contact_step_, " sub-steps of the grains, of ", contact_step_,
+                   " s each: contacts this stiff, or grains this light, cannot be computed; look at contact.stiffness"));
     return divided(dt);
 }
 

@@ -35,8 +35,8 @@ struct Member {
 /// "a word", "a list", ... for messages.
 [[nodiscard]] std::string name_of(Node::Kind kind);
 
-/// Reads one document; nothing if its syntax is broken. Broken syntax, keys given twice, unknown or recursive aliases and further documents are added to
-/// `problems`. Anchors, aliases and merge keys (`<<`) are expanded; a key of the map itself wins over a merged one.
+/// Reads one document; nothing if its syntax is broken. Broken syntax, keys given twice, unknown or recursive aliases and further
+/// documents are added to `problems`. Anchors, aliases and merge keys (`<<`) are expanded; a key of the map itself wins over a merged one.
 /// @param from  The text before this position counts as blanks.
 [[nodiscard]] std::optional<Node> parse_yaml(const Source& source, Problems& problems, std::size_t from = 0);
 

@@ -41,9 +41,7 @@ public:
     [[nodiscard]] bool changed_in_step(const Place& place) const
     {
         return std::ranges::any_of(stages_, [&](const Stage& stage) {
-            return std::ranges::any_of(stage.touches, [&](const Touch& t) {
-                return t.changes() && Place{t.resource, t.region} == place;
-            });
+            return std::ranges::any_of(stage.touches, [&](const Touch& t) { return t.changes() && Place{t.resource, t.region} == place; });
         });
     }
     [[nodiscard]] std::vector<Verdict> verdicts() && { return std::move(verdicts_); }
@@ -67,8 +65,7 @@ private:
 
 } // namespace
 
-std::vector<Verdict> cull(const std::deque<Stage>& stages, const std::vector<Sink>& sinks,
-                          const std::vector<std::string>& due)
+std::vector<Verdict> cull(const std::deque<Stage>& stages, const std::vector<Sink>& sinks, const std::vector<std::string>& due)
 {
     Culling culling(stages, due);
     Needs after;
@@ -79,8 +76,7 @@ std::vector<Verdict> cull(const std::deque<Stage>& stages, const std::vector<Sin
     for (bool grown = true; grown;) { // what the next step reads first must survive this one
         grown = false;
         for (const auto& [place, reason] : culling.walk_back(after))
-            if (culling.changed_in_step(place))
-                grown |= after.try_emplace(place, "next step: " + reason).second;
+            if (culling.changed_in_step(place)) grown |= after.try_emplace(place, "next step: " + reason).second;
     }
     return std::move(culling).verdicts();
 }

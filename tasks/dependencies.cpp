@@ -14,7 +14,7 @@ namespace {
 using Place = std::tuple<const void*, Region, LocalBlock>;
 
 struct History {
-    int writer = -1; ///< the last node that changed it
+    int writer = -1;          ///< the last node that changed it
     std::vector<int> readers; ///< since then
 };
 
@@ -63,8 +63,7 @@ private:
         for (const Touch& touch : stage.touches)
             if (!touch.divided) visit({touch.resource, touch.region, -1}, touch.changes());
             else
-                for (LocalBlock b = node.begin; b < node.end; ++b)
-                    visit({touch.resource, touch.region, b}, touch.changes());
+                for (LocalBlock b = node.begin; b < node.end; ++b) visit({touch.resource, touch.region, b}, touch.changes());
         if (stage.effect) visit({nullptr, Region::interior, -1}, true); // the outside world sees effects in the order of the text
     }
 

@@ -29,9 +29,6 @@ private:
 
 } // namespace
 
-std::unique_ptr<Executor> make_serial_executor(const Plan& plan, Trace* trace)
-{
-    return std::make_unique<SerialExecutor>(plan, trace);
-}
+std::unique_ptr<Executor> make_serial_executor(const Plan& plan, Trace* trace) { return std::make_unique<SerialExecutor>(plan, trace); }
 
 } // namespace tasks

@@ -24,7 +24,9 @@ using Message = flow::continue_msg;
 class Network {
 public:
     Network(NodeRunner& runner, std::atomic<int>& open_jobs)
-        : start_(graph_), resume_(graph_, flow::unlimited, [&runner](const Arrived& a) { runner.resume(a); }, flow::node_priority_t(3))
+        : start_(graph_),
+          resume_(
+              graph_, flow::unlimited, [&runner](const Arrived& a) { runner.resume(a); }, flow::node_priority_t(3))
     {
         const Plan& plan = runner.plan();
         const bool prioritise = plan.ranks().size() > 1; // without messages the order of arrival keeps caches warmer
@@ -73,7 +75,8 @@ private:
 class TbbExecutor final : public Executor {
 public:
     TbbExecutor(const Plan& plan, Trace* trace, int threads)
-        : arena_(threads, 1), team_(core::make_tbb_team(threads)),
+        : arena_(threads, 1),
+          team_(core::make_tbb_team(threads)),
           runner_(plan, *team_, trace,
                   {[this](int node) {
                        if (network_->end_job(node)) --open_jobs_;

@@ -23,7 +23,9 @@ void GuardedTeam::run(int chunks, const std::function<void(int)>& body) const
 }
 
 Lane::Lane(std::string stage, LaneContext context, const core::Communicator& communicator)
-    : stage_(std::move(stage)), context_(std::move(context)), communicator_(communicator),
+    : stage_(std::move(stage)),
+      context_(std::move(context)),
+      communicator_(communicator),
       team_(context_.team, context_.pump, context_.poison, stage_)
 {
 }

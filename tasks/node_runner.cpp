@@ -114,16 +114,17 @@ void NodeRunner::trace(int node, double start)
 }
 
 DrivenRunner::DrivenRunner(const Plan& plan, const core::Team& team, Trace* trace)
-    : has_ended_(plan.nodes().size()), runner_(plan, team, trace,
-                                               {[this](int node) {
-                                                    const std::lock_guard lock(mutex_);
-                                                    has_ended_[std::size_t(node)] = 1;
-                                                    ended_.push_back(node);
-                                                },
-                                                [this](Arrived arrived) {
-                                                    const std::lock_guard lock(mutex_);
-                                                    arrived_.push_back(arrived);
-                                                }})
+    : has_ended_(plan.nodes().size()),
+      runner_(plan, team, trace,
+              {[this](int node) {
+                   const std::lock_guard lock(mutex_);
+                   has_ended_[std::size_t(node)] = 1;
+                   ended_.push_back(node);
+               },
+               [this](Arrived arrived) {
+                   const std::lock_guard lock(mutex_);
+                   arrived_.push_back(arrived);
+               }})
 {
 }
 

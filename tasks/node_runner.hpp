@@ -21,8 +21,8 @@ struct Arrived {
 
 /// What an executor wants to hear, on whatever thread it happens.
 struct RunnerEvents {
-    std::function<void(int node)> ended;     ///< once for every node that was started
-    std::function<void(Arrived)> arrived;    ///< NodeRunner::resume() shall be called
+    std::function<void(int node)> ended;  ///< once for every node that was started
+    std::function<void(Arrived)> arrived; ///< NodeRunner::resume() shall be called
 };
 
 class NodeRunner {

@@ -59,8 +59,8 @@ PlanReport Plan::describe() const
     std::set<const void*> needed;
     for (int s = 0; s < stages(); ++s) {
         const auto [first, last] = nodes_of(s);
-        auto& line = report.stages.emplace_back(
-            PlanReport::StageLine{stage(s).name, stage(s).lane, verdicts_[std::size_t(s)], last - first, {}});
+        auto& line =
+            report.stages.emplace_back(PlanReport::StageLine{stage(s).name, stage(s).lane, verdicts_[std::size_t(s)], last - first, {}});
         std::set<int> after;
         for (int n = first; n < last; ++n)
             for (const int p : nodes_[std::size_t(n)].predecessors) after.insert(nodes_[std::size_t(p)].stage);
@@ -68,8 +68,7 @@ PlanReport Plan::describe() const
         if (line.verdict.kept)
             for (const Touch& touch : stage(s).touches) needed.insert(touch.resource);
     }
-    for (const auto& r : graph_->resources_)
-        report.resources.push_back({r.name, needed.contains(r.id), r.bytes ? r.bytes() : 0});
+    for (const auto& r : graph_->resources_) report.resources.push_back({r.name, needed.contains(r.id), r.bytes ? r.bytes() : 0});
     report.longest_path = names_of_longest_path(*this);
     report.memory = memory_of(*this, graph_->resources_, graph_->sinks_);
     report.memory.cells = std::accumulate(graph_->layout_.cells.begin(), graph_->layout_.cells.end(), std::ptrdiff_t(0));

@@ -29,7 +29,7 @@ struct Node {
     int stage = 0;
     LocalBlock begin = 0, end = 0;
     std::vector<int> predecessors, successors; ///< indices of nodes, ascending
-    int priority = 0; ///< 2 = communicates, 1 = messages depend on it, 0 = neither
+    int priority = 0;                          ///< 2 = communicates, 1 = messages depend on it, 0 = neither
 };
 
 /// What `isago plan` shows.
@@ -96,7 +96,6 @@ private:
 
 /// The tasks of the kept stages in the order of the text, with the dependencies that read-after-write, write-after-read and
 /// write-after-write ask for, block by block.
-[[nodiscard]] std::vector<Node> derive_nodes(const std::deque<Stage>& stages, const std::vector<Verdict>& verdicts,
-                                             const Layout& layout);
+[[nodiscard]] std::vector<Node> derive_nodes(const std::deque<Stage>& stages, const std::vector<Verdict>& verdicts, const Layout& layout);
 
 } // namespace tasks

@@ -18,20 +18,25 @@ using core::LocalBlock;
 
 /// Has a name. Its address tells it from others, so it stays where it is while a graph knows it.
 template <class R>
-concept Resource = requires(const R& r) {
-    { r.name() } -> std::convertible_to<std::string_view>;
+concept Resource = requires(const R& r)
+{
+    {
+        r.name()
+        } -> std::convertible_to<std::string_view>;
 };
 
 /// A resource with a part in each block. A const resource hands out read-only parts: this makes declarations bind.
 template <class R>
-concept Divided = Resource<R> && requires(R& r, const R& c, LocalBlock b) {
+concept Divided = Resource<R> && requires(R& r, const R& c, LocalBlock b)
+{
     r.on(b);
     c.on(b);
 };
 
 /// A resource around an object: kernels get the object.
 template <class R>
-concept Holder = Resource<R> && requires(R& r, const R& c) {
+concept Holder = Resource<R> && requires(R& r, const R& c)
+{
     r.get();
     c.get();
 };
@@ -93,8 +98,8 @@ struct ResourceRecord {
     const void* id = nullptr;
     std::string name;
     bool divided = false;
-    std::function<void()> allocate;       ///< empty where the resource owns its memory from the start
-    std::function<std::size_t()> bytes;   ///< empty where unknown
+    std::function<void()> allocate;     ///< empty where the resource owns its memory from the start
+    std::function<std::size_t()> bytes; ///< empty where unknown
 };
 
 template <Resource R>

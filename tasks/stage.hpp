@@ -72,15 +72,14 @@ template <class Kernel, class Accesses>
 inline constexpr bool calls_block = false;
 template <class Kernel, class... A>
 inline constexpr bool calls_block<Kernel, std::tuple<A...>> =
-    (fits_blocks<A> && ...) &&
-    std::is_invocable_v<const Kernel&, LocalBlock, decltype(std::declval<const A&>().on(0))...>;
+    (fits_blocks<A> && ...) && std::is_invocable_v<const Kernel&, LocalBlock, decltype(std::declval<const A&>().on(0))...>;
 
 template <class Kernel, class Accesses>
 struct WholeResult {
     using Type = int; // neither void nor Job: not a kernel
 };
 template <class Kernel, class... A>
-    requires std::is_invocable_v<const Kernel&, Lane&, decltype(std::declval<const A&>().whole())...>
+requires std::is_invocable_v<const Kernel&, Lane&, decltype(std::declval<const A&>().whole())...>
 struct WholeResult<Kernel, std::tuple<A...>> {
     using Type = std::invoke_result_t<const Kernel&, Lane&, decltype(std::declval<const A&>().whole())...>;
 };
@@ -97,6 +96,6 @@ concept BlockKernel = detail::calls_block<Kernel, detail::Accesses<Groups...>>;
 /// kernel(lane, resources...) in the order of the declared accesses; returns void or Job.
 template <class Kernel, class... Groups>
 concept WholeKernel = std::is_void_v<typename detail::WholeResult<Kernel, detail::Accesses<Groups...>>::Type> ||
-                      std::is_same_v<typename detail::WholeResult<Kernel, detail::Accesses<Groups...>>::Type, Job>;
+    std::is_same_v<typename detail::WholeResult<Kernel, detail::Accesses<Groups...>>::Type, Job>;
 
 } // namespace tasks

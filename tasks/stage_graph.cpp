@@ -37,8 +37,8 @@ StageGraph::Declared StageGraph::add(Stage stage)
 
 void StageGraph::check_halo(const core::FieldInfo& field, int width)
 {
-    core::require<core::Error>(width <= field.halo, core::text("field '", field.name, "' has ", field.halo,
-                                                               " halo layers, but a stage reads ", width));
+    core::require<core::Error>(width <= field.halo,
+                               core::text("field '", field.name, "' has ", field.halo, " halo layers, but a stage reads ", width));
 }
 
 void StageGraph::refresh_halo(const void* id, FieldRef field, const std::string& name, core::HaloReach reach)
@@ -56,9 +56,7 @@ void StageGraph::refresh_halo(const void* id, FieldRef field, const std::string&
     fill.halo_of = field;
     fill.halo_reach = reach;
     fill.touches = {{id, Region::interior, Mode::read, true}, {id, Region::halo, Mode::write, true}};
-    fill.job = [this, field, index = stages_.size()](Lane& lane) {
-        return filler_->fill(lane, field, stages_[index].halo_reach);
-    };
+    fill.job = [this, field, index = stages_.size()](Lane& lane) { return filler_->fill(lane, field, stages_[index].halo_reach); };
     halo.fresh = true;
     halo.stage = stages_.size();
     stages_.push_back(std::move(fill));

@@ -43,8 +43,7 @@ public:
 
     /// kernel(block, parts...) for every block of this rank, on any thread.
     template <class Kernel, class... Groups>
-        requires BlockKernel<Kernel, Groups...>
-    Declared each_block(std::string name, Kernel kernel, Groups... groups)
+    requires BlockKernel<Kernel, Groups...> Declared each_block(std::string name, Kernel kernel, Groups... groups)
     {
         const auto accesses = std::tuple_cat(groups...);
         Stage stage = declare(std::move(name), accesses);
@@ -56,8 +55,7 @@ public:
 
     /// kernel(lane, resources...) once on each rank; may use the team of its lane and, if it returns Job, messages.
     template <class Kernel, class... Groups>
-        requires WholeKernel<Kernel, Groups...>
-    Declared whole(std::string name, Kernel kernel, Groups... groups)
+    requires WholeKernel<Kernel, Groups...> Declared whole(std::string name, Kernel kernel, Groups... groups)
     {
         const auto accesses = std::tuple_cat(groups...);
         Stage stage = declare(std::move(name), accesses);
@@ -74,12 +72,11 @@ public:
 
     /// Whenever the halo of `field` has been filled, kernel(block, part of field, parts...) sets it at the walls.
     template <class Field, class Kernel, class... Groups>
-        requires BlockKernel<Kernel, decltype(updates_halo(std::declval<Field&>())), Groups...>
+    requires BlockKernel<Kernel, decltype(updates_halo(std::declval<Field&>())), Groups...>
     void boundary(Field& field, std::string name, Kernel kernel, Groups... groups)
     {
-        halos_[&field].boundary.push_back([this, &field, name = std::move(name), kernel, groups...] {
-            each_block(name, kernel, updates_halo(field), groups...);
-        });
+        halos_[&field].boundary.push_back(
+            [this, &field, name = std::move(name), kernel, groups...] { each_block(name, kernel, updates_halo(field), groups...); });
     }
 
     /// Stages declared while the scope lives belong to the lane `label`; only reports depend on it.
@@ -167,7 +164,7 @@ private:
     };
     std::mutex given_up_mutex_;
     std::vector<GivenUp> given_up_;
-    std::size_t renewed_ = 0; ///< of given_up_
+    std::size_t renewed_ = 0;              ///< of given_up_
     std::vector<core::Communicator> left_; ///< with messages that nobody receives
 };
 

@@ -28,13 +28,13 @@ struct Span {
 /// Sums over the steps that the trace still holds; times in seconds.
 struct Digest {
     std::int64_t steps = 0;
-    double wall = 0.0;    ///< from the first to the last span of each step
-    double work = 0.0;    ///< T1: all work of all threads
-    double longest = 0.0; ///< the longest chain of dependent work: no number of threads is faster
-    double overlap = 0.0; ///< two lanes work at the same time, or one works while another waits for messages
-    double exposed = 0.0; ///< a lane waits for messages and no thread works
+    double wall = 0.0;                   ///< from the first to the last span of each step
+    double work = 0.0;                   ///< T1: all work of all threads
+    double longest = 0.0;                ///< the longest chain of dependent work: no number of threads is faster
+    double overlap = 0.0;                ///< two lanes work at the same time, or one works while another waits for messages
+    double exposed = 0.0;                ///< a lane waits for messages and no thread works
     std::map<std::string, double> lanes; ///< work of each lane; "" are stages of none
-    double imbalance = 0.0; ///< busiest thread over the mean thread, minus one
+    double imbalance = 0.0;              ///< busiest thread over the mean thread, minus one
 };
 std::ostream& operator<<(std::ostream& stream, const Digest& digest);
 

@@ -87,9 +87,8 @@ private:
             const double passed = edge.time - time;
             const auto is_active = [](const auto& lane) { return lane.second > 0; };
             const auto lanes_at_work = std::ranges::count_if(working, is_active);
-            const bool hides_a_wait = std::ranges::any_of(waiting, [&](const auto& lane) {
-                return is_active(lane) && working[lane.first] <= 0 && lanes_at_work > 0;
-            });
+            const bool hides_a_wait = std::ranges::any_of(
+                waiting, [&](const auto& lane) { return is_active(lane) && working[lane.first] <= 0 && lanes_at_work > 0; });
             if (lanes_at_work > 1 || hides_a_wait) digest.overlap += passed;
             if (lanes_at_work == 0 && std::ranges::any_of(waiting, is_active)) digest.exposed += passed;
             (edge.work ? working : waiting)[edge.lane] += edge.change;

@@ -78,7 +78,8 @@ void HaloExchange::find_copies()
             continue;
         }
         const Source& source = sources.front();
-        Copies& between = copies.try_emplace({row.target.block, source.place.block}, Copies{row.target.block, source.place.block, {}}).first->second;
+        Copies& between =
+            copies.try_emplace({row.target.block, source.place.block}, Copies{row.target.block, source.place.block, {}}).first->second;
         between.values.add(row.target.offset, source.place.offset);
     }
     for (auto& [blocks, between] : copies) copies_.push_back(std::move(between));
@@ -227,7 +228,10 @@ void HaloExchange::finish_transpose_arrays(const Arrays& arrays, const Flight& f
                 for (std::size_t a = 0; a < count; ++a) target[a][home.target.offset] += c.weight * value(a);
             };
             if (c.rank < 0) add([from = arrays.of(c.place.block), at = c.place.offset](std::size_t a) { return from[a][at]; });
-            else add([values = flight.received[std::size_t(c.rank)].data() + std::size_t(c.slot) * count](std::size_t a) { return values[a]; });
+            else
+                add([values = flight.received[std::size_t(c.rank)].data() + std::size_t(c.slot) * count](std::size_t a) {
+                    return values[a];
+                });
         }
     }
     for (const Row& row : rows_)

@@ -28,7 +28,8 @@ public:
     /// Which of the values that fields keep behind their halo are filled (sub_face_values.hpp).
     enum class Behind { cells, all };
     /// Plan for fields with `field_halo` layers of which `width` are filled. Collective.
-    HaloExchange(const Mesh& mesh, const Communicator& communicator, int field_halo, int width, HaloShape shape, Behind behind = Behind::all);
+    HaloExchange(const Mesh& mesh, const Communicator& communicator, int field_halo, int width, HaloShape shape,
+                 Behind behind = Behind::all);
 
     /// Packs and sends in a space of messages where no other exchange is on its way.
     template <std::size_t N>
@@ -117,16 +118,16 @@ private:
 
     Communicator communicator_;
     std::vector<Row> rows_;
-    std::vector<Copies> copies_;    ///< rows_ with one source, on this rank, by target and source
+    std::vector<Copies> copies_; ///< rows_ with one source, on this rank, by target and source
     /// A source on this rank, small because there are many.
     struct BlendSource {
         LocalBlock block;
         int offset;
         double weight;
     };
-    std::vector<Row> blends_;       ///< rows_ with several sources, all on this rank; counted in blend_sources_
+    std::vector<Row> blends_; ///< rows_ with several sources, all on this rank; counted in blend_sources_
     std::vector<BlendSource> blend_sources_;
-    std::vector<Row> arrivals_;     ///< rows_ with a source on another rank
+    std::vector<Row> arrivals_; ///< rows_ with a source on another rank
     std::vector<Source> sources_;
     std::vector<std::vector<CellPlace>> wanted_from_here_; ///< [rank]: cells whose values that rank asks for
     std::vector<std::ptrdiff_t> wanted_there_;             ///< [rank]: number of values this rank asks for

@@ -23,8 +23,7 @@ class View {
 public:
     View() = default;
     View(T* origin, Extents extents, int halo)
-        : origin_(origin), extents_(extents), halo_(halo), stride_j_(extents.ni + 2 * halo),
-          stride_k_(stride_j_ * (extents.nj + 2 * halo))
+        : origin_(origin), extents_(extents), halo_(halo), stride_j_(extents.ni + 2 * halo), stride_k_(stride_j_ * (extents.nj + 2 * halo))
     {
     }
 
@@ -65,7 +64,8 @@ class Array3 {
 public:
     Array3() = default;
     explicit Array3(Extents extents, int halo = 0, T value = T{})
-        : extents_(extents), halo_(halo),
+        : extents_(extents),
+          halo_(halo),
           data_(std::size_t(Extents{extents.ni + 2 * halo, extents.nj + 2 * halo, extents.nk + 2 * halo}.size() +
                             (halo > 0 ? extents.sub_face_values : 0)),
                 value)

@@ -29,19 +29,10 @@ FieldInfo without_halo(FieldInfo info)
 
 } // namespace
 
-ScalarField::ScalarField(FieldInfo info, std::span<const Extents> cells)
-    : FieldStorage(std::move(info), repeat<1>(cells))
-{
-}
+ScalarField::ScalarField(FieldInfo info, std::span<const Extents> cells) : FieldStorage(std::move(info), repeat<1>(cells)) {}
 
-VectorField::VectorField(FieldInfo info, std::span<const Extents> cells)
-    : FieldStorage(std::move(info), repeat<3>(cells))
-{
-}
+VectorField::VectorField(FieldInfo info, std::span<const Extents> cells) : FieldStorage(std::move(info), repeat<3>(cells)) {}
 
-FaceField::FaceField(FieldInfo info, std::span<const Extents> cells)
-    : FieldStorage(without_halo(std::move(info)), faces(cells))
-{
-}
+FaceField::FaceField(FieldInfo info, std::span<const Extents> cells) : FieldStorage(without_halo(std::move(info)), faces(cells)) {}
 
 } // namespace core

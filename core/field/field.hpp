@@ -20,7 +20,7 @@ struct FieldInfo {
     std::string name;
     std::string unit;
     int halo = 1;
-    bool persistent = false; ///< carried from step to step, hence written to checkpoints
+    bool persistent = false;   ///< carried from step to step, hence written to checkpoints
     bool at_sub_faces = false; ///< filled halos include what is interpolated to the centres of sub-faces (sub_face_values.hpp)
 };
 
@@ -57,10 +57,7 @@ public:
     [[nodiscard]] std::size_t blocks() const { return shapes_.size(); }
     /// All values of one array of one block, halo included: for checkpoints, digests and fills.
     [[nodiscard]] std::vector<double>& data(LocalBlock b, std::size_t array) { return blocks_[std::size_t(b)][array].data(); }
-    [[nodiscard]] const std::vector<double>& data(LocalBlock b, std::size_t array) const
-    {
-        return blocks_[std::size_t(b)][array].data();
-    }
+    [[nodiscard]] const std::vector<double>& data(LocalBlock b, std::size_t array) const { return blocks_[std::size_t(b)][array].data(); }
     /// Pointer to element (0, 0, 0) of one array of one block.
     [[nodiscard]] double* origin(LocalBlock b, std::size_t array) { return block(b)[array].view().row(0, 0); }
     static constexpr std::size_t arrays = Arrays;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/grid/annulus.hpp"
 #include "core/base/error.hpp"
-#include "core/grid/butterfly.hpp"
 #include "core/grid/box.hpp"
+#include "core/grid/butterfly.hpp"
 #include <numbers>
 
 namespace core {

@@ -8,10 +8,10 @@ namespace core {
 
 struct Annulus {
     double inner_diameter = 0.05, outer_diameter = 0.1, length = 0.1; ///< [m]
-    Extents cells{8, 8, 32};  ///< along x, outwards, around
-    Extents blocks{1, 1, 2};  ///< that each direction is cut into
-    double growth = 1.0;      ///< size of the outermost cell over that of the innermost
-    bool periodic = false;    ///< along x
+    Extents cells{8, 8, 32};                                          ///< along x, outwards, around
+    Extents blocks{1, 1, 2};                                          ///< that each direction is cut into
+    double growth = 1.0;                                              ///< size of the outermost cell over that of the innermost
+    bool periodic = false;                                            ///< along x
 };
 
 /// i runs along x, j outwards, k around. Boundary names: inner, outer, x_low, x_high.

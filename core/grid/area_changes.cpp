@@ -50,7 +50,8 @@ private:
         changes_.push_back({bent.block, axis, face, area});
         const int n = topology_.cells[std::size_t(bent.block)][axis];
         if (face[axis] != 0 && face[axis] != n) return;
-        if (const auto& beyond = topology_.neighbour(bent.block, side_of(axis, face[axis] != 0))) add_beyond(bent, *beyond, axis, face, area);
+        if (const auto& beyond = topology_.neighbour(bent.block, side_of(axis, face[axis] != 0)))
+            add_beyond(bent, *beyond, axis, face, area);
     }
 
     /// The same face seen from the block beyond, unless that finds it bent by itself.
@@ -99,7 +100,8 @@ void require_closed_cells(const MultiBlock& grid, const SubFaceJoints& joints)
 {
     constexpr double round_off = 1e-11; // of the largest face, after sums over its sub-faces
     std::map<FaceKey, Vec3> changes, sums;
-    for (const AreaChange& c : joints.area_changes) changes.try_emplace(key_of(c.block, c.axis, c.face), Vec3::Zero()).first->second += c.area;
+    for (const AreaChange& c : joints.area_changes)
+        changes.try_emplace(key_of(c.block, c.axis, c.face), Vec3::Zero()).first->second += c.area;
     const auto add = [&](BlockId block, Side side, Index3 cell, const Vec3& outward) {
         if (is_high(side)) ++cell[axis_of(side)];
         sums.try_emplace(key_of(block, axis_of(side), cell), Vec3::Zero()).first->second += is_high(side) ? outward : Vec3(-outward);
@@ -127,8 +129,9 @@ void require_closed_cells(const MultiBlock& grid, const SubFaceJoints& joints)
             largest = std::max(largest, area.norm());
         }
         require<ConfigError>(open.norm() <= round_off * largest,
-                             text("cell (", cell.i, ", ", cell.j, ", ", cell.k, ") of block ", block, " cannot be closed: its faces and sub-faces leave ",
-                                  open.norm() / largest, " of a face open; let points match where curved interfaces meet, or refine there"));
+                             text("cell (", cell.i, ", ", cell.j, ", ", cell.k, ") of block ", block,
+                                  " cannot be closed: its faces and sub-faces leave ", open.norm() / largest,
+                                  " of a face open; let points match where curved interfaces meet, or refine there"));
     }
 }
 

@@ -31,8 +31,8 @@ void check_piece(const BentPipe& pipe, std::size_t n, const Vec3& ahead)
                          text(name, ": ", p.cells, " cells do not divide into ", p.blocks, " blocks"));
     if (p.angle == 0) return require<ConfigError>(p.length > 0, name + " needs a length or an angle");
     require<ConfigError>(p.angle > 0 && p.length == 0, name + " has a length and an angle: it is straight or an arc");
-    require<ConfigError>(p.radius > pipe.diameter / 2,
-                         text(name, ": an arc of radius ", p.radius, " m is tighter than the pipe, whose radius is ", pipe.diameter / 2, " m"));
+    require<ConfigError>(p.radius > pipe.diameter / 2, text(name, ": an arc of radius ", p.radius,
+                                                            " m is tighter than the pipe, whose radius is ", pipe.diameter / 2, " m"));
     require<ConfigError>(p.towards.cross(ahead).norm() > 1e-6 * p.towards.norm() && p.towards.norm() > 0,
                          name + " bends along its own axis: 'towards' must point to a side of the pipe");
 }
@@ -73,9 +73,7 @@ MultiBlock make_bent_pipe(const BentPipe& pipe)
                              "the ends of a periodic pipe must look the same way: its arcs do not add up to none");
         if (start.point.norm() > 1e-9 * pipe.diameter) grid.periods.push_back(start.point);
     }
-    grid.boundary_name = [](BlockId, Side s) {
-        return std::string(s == Side::i_low ? "start" : s == Side::i_high ? "end" : "wall");
-    };
+    grid.boundary_name = [](BlockId, Side s) { return std::string(s == Side::i_low ? "start" : s == Side::i_high ? "end" : "wall"); };
     return grid;
 }
 

@@ -27,7 +27,8 @@ void for_each_cell_of(const MultiBlock& grid, Visit visit)
 Box box_of(const MultiBlock& grid, const Cell& c)
 {
     Box box;
-    for_each(c.at, {c.at.i + 2, c.at.j + 2, c.at.k + 2}, [&](int i, int j, int k) { box.extend(grid.blocks[std::size_t(c.block)](i, j, k)); });
+    for_each(c.at, {c.at.i + 2, c.at.j + 2, c.at.k + 2},
+             [&](int i, int j, int k) { box.extend(grid.blocks[std::size_t(c.block)](i, j, k)); });
     return box;
 }
 
@@ -108,8 +109,8 @@ void require_apart(const MultiBlock& grid)
             if (other.block == c.block) return;
             const Vec3 x = centre_of(grid, other);
             require<ConfigError>(!box.contains(x) || !holds(grid, c, x),
-                                 text("blocks ", std::min(c.block, other.block), " and ", std::max(c.block, other.block), " overlap: ", words(c),
-                                      " holds the centre (", x.x(), " ", x.y(), " ", x.z(), ") m of ", words(other)));
+                                 text("blocks ", std::min(c.block, other.block), " and ", std::max(c.block, other.block), " overlap: ",
+                                      words(c), " holds the centre (", x.x(), " ", x.y(), " ", x.z(), ") m of ", words(other)));
         });
     });
 }

@@ -9,8 +9,7 @@ MultiBlock make_box(const Box& box, const std::function<Vec3(const Vec3&)>& map)
 {
     for (int m = 0; m < 3; ++m)
         require<ConfigError>(box.blocks[m] > 0 && box.cells[m] >= box.blocks[m] && box.cells[m] % box.blocks[m] == 0,
-                             text("a box of ", box.cells[m], " cells does not divide into ", box.blocks[m],
-                                  " blocks along axis ", m));
+                             text("a box of ", box.cells[m], " cells does not divide into ", box.blocks[m], " blocks along axis ", m));
     const Extents n{box.cells.ni / box.blocks.ni, box.cells.nj / box.blocks.nj, box.cells.nk / box.blocks.nk};
     MultiBlock grid;
     for_each_cell(box.blocks, [&](int bi, int bj, int bk) {
@@ -24,9 +23,7 @@ MultiBlock make_box(const Box& box, const std::function<Vec3(const Vec3&)>& map)
     });
     for (int m = 0; m < 3; ++m)
         if (box.periodic[std::size_t(m)]) grid.periods.push_back((box.high - box.low)[m] * Vec3::Unit(m));
-    grid.boundary_name = [](BlockId, Side s) {
-        return std::string(1, char('x' + axis_of(s))) + (is_high(s) ? "_high" : "_low");
-    };
+    grid.boundary_name = [](BlockId, Side s) { return std::string(1, char('x' + axis_of(s))) + (is_high(s) ? "_high" : "_low"); };
     return grid;
 }
 

@@ -17,6 +17,7 @@ struct Box {
 /// Uniform box. Boundary names: x_low, x_high, y_low, ... .
 /// @param map  Moves every vertex; must keep periodic sides congruent.
 /// @throws ConfigError if the cells do not divide into the blocks.
-[[nodiscard]] MultiBlock make_box(const Box& box, const std::function<Vec3(const Vec3&)>& map = [](const Vec3& x) { return x; });
+[[nodiscard]] MultiBlock make_box(
+    const Box& box, const std::function<Vec3(const Vec3&)>& map = [](const Vec3& x) { return x; });
 
 } // namespace core

@@ -38,7 +38,8 @@ Vec2 core_point(const Butterfly& p, double s, double t)
     const double a = (1 + s) / 2, b = (1 + t) / 2;
     const Vec2 corner = core_rim(p, 1);
     const Vec2 ne = corner, nw(-corner.x(), corner.y()), sw = -corner, se(corner.x(), -corner.y());
-    return a * east + (1 - a) * west + b * north + (1 - b) * south - (a * b * ne + (1 - a) * b * nw + (1 - a) * (1 - b) * sw + a * (1 - b) * se);
+    return a * east + (1 - a) * west + b * north + (1 - b) * south -
+           (a * b * ne + (1 - a) * b * nw + (1 - a) * (1 - b) * sw + a * (1 - b) * se);
 }
 
 Vec2 wing_point(const Butterfly& p, int quarter, double t, int n)

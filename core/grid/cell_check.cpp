@@ -64,7 +64,8 @@ double checked_volume(const MultiBlock& grid, BlockId block)
         left_handed += cell < 0;
         volume += cell;
     });
-    require<ConfigError>(left_handed < cells_of(v).size(), text("block ", block, " is left-handed: all its cells have a negative volume; count one "
+    require<ConfigError>(left_handed < cells_of(v).size(), text("block ", block,
+                                                                " is left-handed: all its cells have a negative volume; count one "
                                                                 "of its three directions from the other end"));
     if (!(worst > smallest_jacobian)) refuse(v, block, where, worst);
     return volume;

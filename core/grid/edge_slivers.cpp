@@ -20,7 +20,8 @@ std::vector<Crossing> in_order(const std::vector<Crossing>& crossings, double ed
     constexpr double same = 1e-9; // of the edge
     std::vector<Crossing> kept;
     for (const Crossing& c : crossings)
-        if (std::none_of(kept.begin(), kept.end(), [&](const Crossing& k) { return (k.point - c.point).norm() < same * edge; })) kept.push_back(c);
+        if (std::none_of(kept.begin(), kept.end(), [&](const Crossing& k) { return (k.point - c.point).norm() < same * edge; }))
+            kept.push_back(c);
     const auto mean_share = [&](const SideOverlap* overlap) {
         double sum = 0, count = 0;
         for (const Crossing& c : kept)
@@ -47,7 +48,8 @@ std::vector<Vec3> path_through(const std::vector<Crossing>& crossings)
             const auto first = std::ptrdiff_t(path.size());
             for (const Vec3& v : crossings[n].overlap->rim)
                 if ((v - from).norm() < distance && (v - to).norm() < distance) path.push_back(v);
-            std::sort(path.begin() + first, path.end(), [&](const Vec3& a, const Vec3& b) { return (a - from).norm() < (b - from).norm(); });
+            std::sort(path.begin() + first, path.end(),
+                      [&](const Vec3& a, const Vec3& b) { return (a - from).norm() < (b - from).norm(); });
         }
         path.push_back(crossings[n].point);
     }

@@ -142,7 +142,8 @@ Vec3 plane_normal(const Vertices& block, Side side, Index3 low, Index3 high)
     along_rim(fourth, q, -1);
     const Vec3 normal = area.normalized();
     for_each(low, high, [&](int i, int j, int k) {
-        const bool rim = Index3{i, j, k}[p] == low[p] || Index3{i, j, k}[p] == last[p] || Index3{i, j, k}[q] == low[q] || Index3{i, j, k}[q] == last[q];
+        const bool rim =
+            Index3{i, j, k}[p] == low[p] || Index3{i, j, k}[p] == last[p] || Index3{i, j, k}[q] == low[q] || Index3{i, j, k}[q] == last[q];
         require<ConfigError>(!rim || std::abs(normal.dot(block(i, j, k) - origin)) < flat * size,
                              text("side ", side_words[std::size_t(side)], " is not plane: give its vertices"));
     });

@@ -54,7 +54,8 @@ std::vector<Elliptic> wanted_of_blocks(const Topology& topology, const EllipticG
             if (request) blocks[b].spacings.push_back(*request);
     }
     for (const BlockAttraction& a : wanted.attractions) {
-        require<ConfigError>(a.block >= 0 && a.block < BlockId(blocks.size()), text("there is no block ", a.block, ", only 0 to ", blocks.size() - 1));
+        require<ConfigError>(a.block >= 0 && a.block < BlockId(blocks.size()),
+                             text("there is no block ", a.block, ", only 0 to ", blocks.size() - 1));
         blocks[std::size_t(a.block)].attractions.push_back(a.attraction);
     }
     return blocks;
@@ -84,8 +85,9 @@ std::vector<EllipticResult> make_elliptic(MultiBlock& grid, const EllipticGrid& 
                 const auto b = std::size_t(side->block);
                 make_elliptic_side(grid.blocks[b], side->side, blocks[b]);
             });
-    require<ConfigError>(match_sides(grid).interfaces.size() == topology.interfaces.size(),
-                         "sides of blocks that met do not meet any more once their lines are spaced: blocks that touch disagree about them");
+    require<ConfigError>(
+        match_sides(grid).interfaces.size() == topology.interfaces.size(),
+        "sides of blocks that met do not meet any more once their lines are spaced: blocks that touch disagree about them");
     std::vector<EllipticResult> results;
     for (std::size_t b = 0; b < blocks.size(); ++b)
         results.push_back(with_block(BlockId(b), [&] { return solve_elliptic(grid.blocks[b], blocks[b]); }));

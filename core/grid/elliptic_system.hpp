@@ -19,9 +19,9 @@ public:
 
 private:
     struct Coefficients {
-        std::array<double, 3> pure;   ///< J^2 g^pp
-        std::array<double, 3> mixed;  ///< 2 J^2 g^qr, opposite to p
-        std::array<double, 3> first;  ///< of dx/dxi_m
+        std::array<double, 3> pure;  ///< J^2 g^pp
+        std::array<double, 3> mixed; ///< 2 J^2 g^qr, opposite to p
+        std::array<double, 3> first; ///< of dx/dxi_m
     };
     void differentiate(const Vertices& block);
     [[nodiscard]] Coefficients coefficients(Index3 c, const ControlFunctions& control) const;

@@ -23,17 +23,13 @@ struct Extents {
     int sub_face_values = 0;
     [[nodiscard]] std::ptrdiff_t size() const { return std::ptrdiff_t(ni) * nj * nk; }
     [[nodiscard]] int operator[](int axis) const { return axis == 0 ? ni : axis == 1 ? nj : nk; }
-    [[nodiscard]] bool contains(Index3 c) const
-    {
-        return c.i >= 0 && c.j >= 0 && c.k >= 0 && c.i < ni && c.j < nj && c.k < nk;
-    }
+    [[nodiscard]] bool contains(Index3 c) const { return c.i >= 0 && c.j >= 0 && c.k >= 0 && c.i < ni && c.j < nj && c.k < nk; }
     bool operator==(const Extents& e) const { return ni == e.ni && nj == e.nj && nk == e.nk; }
 };
 
 /// A side of a block: 2 * axis + (0 low, 1 high).
 enum class Side { i_low, i_high, j_low, j_high, k_low, k_high };
-inline constexpr std::array<Side, 6> all_sides{Side::i_low,  Side::i_high, Side::j_low,
-                                               Side::j_high, Side::k_low,  Side::k_high};
+inline constexpr std::array<Side, 6> all_sides{Side::i_low, Side::i_high, Side::j_low, Side::j_high, Side::k_low, Side::k_high};
 inline constexpr std::array<std::string_view, 6> side_words{"i_low", "i_high", "j_low", "j_high", "k_low", "k_high"};
 [[nodiscard]] constexpr int axis_of(Side s) { return static_cast<int>(s) / 2; }
 [[nodiscard]] constexpr bool is_high(Side s) { return static_cast<int>(s) % 2 == 1; }

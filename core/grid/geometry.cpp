@@ -71,8 +71,7 @@ void fill_centres(BlockGeometry& g, const MultiBlock& grid, const Topology& topo
     for_each_cell(g.cells, [&](int i, int j, int k) { set_centre(g, {i, j, k}, cell_shape(v, {i, j, k}).centroid); });
     for (const HaloRow& row : halo_rows(topology, block, centre_halo, HaloShape::full)) {
         Vec3 x = Vec3::Zero();
-        for (const HaloSource& s : row.sources)
-            x += s.weight * (cell_shape(grid.blocks[std::size_t(s.block)], s.cell).centroid - s.shift);
+        for (const HaloSource& s : row.sources) x += s.weight * (cell_shape(grid.blocks[std::size_t(s.block)], s.cell).centroid - s.shift);
         set_centre(g, row.cell, x);
         if (!row.round_edge) continue;
         constexpr int reach = centre_halo;
@@ -114,7 +113,8 @@ void fill_faces(BlockGeometry& g, const Topology& topology, const Vertices& v, B
         Extents n = g.cells;
         (axis == 0 ? n.ni : axis == 1 ? n.nj : n.nk) += 1;
         FaceMetrics& f = g.face[std::size_t(axis)];
-        for (auto* array : {&f.area_x, &f.area_y, &f.area_z, &f.transmissibility, &f.cross_x, &f.cross_y, &f.cross_z, &f.inverse_square, &f.weight})
+        for (auto* array :
+             {&f.area_x, &f.area_y, &f.area_z, &f.transmissibility, &f.cross_x, &f.cross_y, &f.cross_z, &f.inverse_square, &f.weight})
             *array = Array3<double>(n, 0, 0.0);
         for_each_cell(n, [&](int i, int j, int k) {
             const Index3 face{i, j, k};
@@ -144,8 +144,8 @@ void add_sub_faces(BlockGeometry& g, const Topology& topology, const Vertices& v
         Index3 face = s.cell;
         if (is_high(s.side)) ++face[axis_of(s.side)];
         const double sense = is_high(s.side) == s.is_a ? 1 : -1;
-        g.sub_faces.push_back({axis_of(s.side), face, s.cell, s.beyond, s.at_centre, s.is_a, sense, s.face->area,
-                               s.face->transmissibility, s.face->cross});
+        g.sub_faces.push_back(
+            {axis_of(s.side), face, s.cell, s.beyond, s.at_centre, s.is_a, sense, s.face->area, s.face->transmissibility, s.face->cross});
         auto& sum = sums.try_emplace({axis_of(s.side), face.k, face.j, face.i}, Vec3::Zero(), 0.0).first->second;
         sum.first += sense * s.face->area;
         sum.second += s.face->transmissibility;

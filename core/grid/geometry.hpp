@@ -17,9 +17,9 @@ struct FaceMetrics {
     /// Two-point transmissibility |S|^2 / (S . d), over-relaxed; d joins the cell centres, or centre and wall [m].
     Array3<double> transmissibility;
     Array3<double> cross_x, cross_y, cross_z; ///< S - T d: what the two-point part leaves to the cell gradients [m2]
-    bool straight = false; ///< Everywhere nothing: d is normal to the faces.
-    Array3<double> inverse_square; ///< 1 / |d|^2, d between the cell centres on both sides, mirrored beyond boundaries [1/m2]
-    Array3<double> weight; ///< share of the upper cell in the linear interpolation to the face [-]
+    bool straight = false;                    ///< Everywhere nothing: d is normal to the faces.
+    Array3<double> inverse_square;            ///< 1 / |d|^2, d between the cell centres on both sides, mirrored beyond boundaries [1/m2]
+    Array3<double> weight;                    ///< share of the upper cell in the linear interpolation to the face [-]
 };
 
 /// Symmetric 3x3 matrices M of the least-squares gradient: grad q = M sum_f w_f d_f (q_f - q), w_f = 1 / |d_f|^2.
@@ -29,14 +29,14 @@ struct GradientMatrices {
 
 /// A sub-face on a side of the block. Its flux is towards increasing index of the block where the sense is +1.
 struct SubFaceMetrics {
-    int axis;                    ///< of the face it is a piece of
-    Index3 face, cell;           ///< that face, and the cell of this block beside it
-    int beyond, at_centre;       ///< numbers of values that fields keep behind their halo (sub_face_values.hpp)
-    bool is_a;                   ///< The area vector points out of this block.
+    int axis;              ///< of the face it is a piece of
+    Index3 face, cell;     ///< that face, and the cell of this block beside it
+    int beyond, at_centre; ///< numbers of values that fields keep behind their halo (sub_face_values.hpp)
+    bool is_a;             ///< The area vector points out of this block.
     double sense;
-    Vec3 area;                   ///< from a to b [m2]
-    double transmissibility;     ///< [m]
-    Vec3 cross;                  ///< [m2]
+    Vec3 area;               ///< from a to b [m2]
+    double transmissibility; ///< [m]
+    Vec3 cross;              ///< [m2]
 };
 
 struct BlockGeometry {
@@ -44,8 +44,8 @@ struct BlockGeometry {
     Array3<double> volume;                       ///< [m3]
     Array3<double> centre_x, centre_y, centre_z; ///< halo of centre_halo layers; mirrored beyond walls [m]
     std::array<FaceMetrics, 3> face;
-    GradientMatrices gradient;      ///< boundary faces take no part (pressure: no normal gradient is assumed)
-    GradientMatrices wall_gradient; ///< boundary faces take part with their own value (velocity: no slip)
+    GradientMatrices gradient;             ///< boundary faces take no part (pressure: no normal gradient is assumed)
+    GradientMatrices wall_gradient;        ///< boundary faces take part with their own value (velocity: no slip)
     std::vector<SubFaceMetrics> sub_faces; ///< faces of sides that meet others at sub-faces have the sums of their areas
     /// Inverse Jacobian d(xi_m)/d(x_j), [m][j], halo of centre_halo - 1 layers [1/m].
     std::array<std::array<Array3<double>, 3>, 3> inverse_jacobian;

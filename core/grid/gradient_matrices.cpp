@@ -37,7 +37,8 @@ GradientMatrices gradient_matrices(const BlockGeometry& geometry, const std::arr
 {
     const Extents n = geometry.cells;
     GradientMatrices matrices;
-    for (auto* array : {&matrices.xx, &matrices.xy, &matrices.xz, &matrices.yy, &matrices.yz, &matrices.zz}) *array = Array3<double>(n, 0, 0.0);
+    for (auto* array : {&matrices.xx, &matrices.xy, &matrices.xz, &matrices.yy, &matrices.yz, &matrices.zz})
+        *array = Array3<double>(n, 0, 0.0);
     for_each_cell(n, [&](int i, int j, int k) {
         const Index3 c{i, j, k};
         Mat3 sum = Mat3::Zero();

@@ -36,9 +36,9 @@ private:
     struct Bins {
         Vec3 low, size;
         Extents count;
-        std::vector<int> first;                         ///< of each bin in `cells`
+        std::vector<int> first;                        ///< of each bin in `cells`
         std::vector<std::pair<BlockId, Index3>> cells; ///< whose bounding boxes touch the bin
-        std::vector<int> owner;                         ///< of all cells of a bin; -1 where they have several
+        std::vector<int> owner;                        ///< of all cells of a bin; -1 where they have several
     };
     [[nodiscard]] std::optional<Location> walk(const Vec3& x, Location at, int steps) const;
     [[nodiscard]] std::optional<Location> find_beyond_seams(const Vec3& x) const;

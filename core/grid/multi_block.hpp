@@ -33,9 +33,6 @@ struct MultiBlock {
 };
 
 /// Number of cells of a block with these vertices.
-[[nodiscard]] inline Extents cells_of(const Vertices& v)
-{
-    return {v.extents().ni - 1, v.extents().nj - 1, v.extents().nk - 1};
-}
+[[nodiscard]] inline Extents cells_of(const Vertices& v) { return {v.extents().ni - 1, v.extents().nj - 1, v.extents().nk - 1}; }
 
 } // namespace core

@@ -32,9 +32,7 @@ MultiBlock make_pipe(const Pipe& p)
     for (int along = 0; along < p.blocks_along; ++along)
         for (int part = 0; part < butterfly_parts; ++part) grid.blocks.push_back(extrude(p, along, part));
     if (p.periodic) grid.periods.push_back(p.length * Vec3::UnitX());
-    grid.boundary_name = [](BlockId, Side s) {
-        return std::string(s == Side::j_low ? "x_low" : s == Side::j_high ? "x_high" : "wall");
-    };
+    grid.boundary_name = [](BlockId, Side s) { return std::string(s == Side::j_low ? "x_low" : s == Side::j_high ? "x_high" : "wall"); };
     return grid;
 }
 

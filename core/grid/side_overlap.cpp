@@ -33,7 +33,9 @@ public:
                 at.p = snapped(at.p, master.np(), tolerance.snap, rim);
                 at.q = snapped(at.q, master.nq(), tolerance.snap, rim);
                 // On the rim the neighbours of the two sides must find the same place.
-                const auto on_line = [&](int axis, double line, double near) { return master.nearest_on_line(axis, int(line), other.vertex(p, q), near); };
+                const auto on_line = [&](int axis, double line, double near) {
+                    return master.nearest_on_line(axis, int(line), other.vertex(p, q), near);
+                };
                 if (is_rim(at.q, master.nq())) at.p = snapped(on_line(0, at.q, at.p), master.np(), tolerance.snap, rim);
                 if (is_rim(at.p, master.np())) at.q = snapped(on_line(1, at.p, at.q), master.nq(), tolerance.snap, rim);
                 const bool inside = at.p >= 0 && at.p <= master.np() && at.q >= 0 && at.q <= master.nq();
@@ -142,7 +144,8 @@ void add_points(const SideTiling& master, const PlacedSide& placed, int axis, Fa
     for (const bool along_p : {true, false}) {
         const double from = along_p ? a.p : a.q, to = along_p ? b.p : b.q;
         const int last = along_p ? master.np() : master.nq();
-        const int first_line = std::max(0, int(std::floor(std::min(from, to))) + 1), end_line = std::min(last + 1, int(std::ceil(std::max(from, to))));
+        const int first_line = std::max(0, int(std::floor(std::min(from, to))) + 1),
+                  end_line = std::min(last + 1, int(std::ceil(std::max(from, to))));
         for (int line = first_line; line < end_line; ++line) {
             const Node c = crossing(master, a, b, along_p, line);
             const bool inside = c.p >= 0 && c.p <= master.np() && c.q >= 0 && c.q <= master.nq();
@@ -170,7 +173,8 @@ SideOverlap overlap(const SideTiling& master, const SideTiling& other, const Ove
     for (int axis = 0; axis < 2; ++axis)
         for (int q = 0; q + (axis == 1) <= other.nq(); ++q)
             for (int p = 0; p + (axis == 0) <= other.np(); ++p)
-                if (placed.near(p, q) && placed.near(p + (axis == 0), q + (axis == 1))) add_points(master, placed, axis, {p, q}, result.points);
+                if (placed.near(p, q) && placed.near(p + (axis == 0), q + (axis == 1)))
+                    add_points(master, placed, axis, {p, q}, result.points);
     for (int q = 0; q <= master.nq(); ++q)
         for (int p = 0; p <= master.np(); ++p)
             if (p == 0 || q == 0 || p == master.np() || q == master.nq()) result.rim.push_back(master.vertex(p, q));

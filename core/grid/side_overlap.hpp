@@ -38,12 +38,12 @@ struct SideOverlap {
     std::vector<EdgePoint> points;
     std::vector<CededArea> ceded; ///< by merged slivers
     std::vector<Vec3> rim;        ///< vertices at the rim of the master [m]
-    bool same_sense = true;     ///< The area vectors of the two sides point the same way.
+    bool same_sense = true;       ///< The area vectors of the two sides point the same way.
 };
 
 struct OverlapTolerance {
-    double gap = 0.15;   ///< largest distance of the surfaces, over the size of a face
-    double snap = 1e-7;  ///< of a face: points this near to an edge of the master are put on it
+    double gap = 0.15;    ///< largest distance of the surfaces, over the size of a face
+    double snap = 1e-7;   ///< of a face: points this near to an edge of the master are put on it
     double rim = 0.1;     ///< of a face: rims of the sides this near are one; the distance of the surfaces there is added
     double sliver = 1e-8; ///< of the smaller face: smaller sub-faces are merged with a neighbour
 };

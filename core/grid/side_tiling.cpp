@@ -38,10 +38,7 @@ Index3 SideTiling::cell(int p, int q) const
     return c;
 }
 
-Vec3 SideTiling::area(int p, int q) const
-{
-    return 0.5 * (vertex(p + 1, q + 1) - vertex(p, q)).cross(vertex(p, q + 1) - vertex(p + 1, q));
-}
+Vec3 SideTiling::area(int p, int q) const { return 0.5 * (vertex(p + 1, q + 1) - vertex(p, q)).cross(vertex(p, q + 1) - vertex(p + 1, q)); }
 
 Vec3 SideTiling::point(double p, double q) const
 {

@@ -39,9 +39,10 @@ std::vector<double> spaced(int cells, double length, const EndSpacing& ends)
     const std::vector<double> sizes = allowed_sizes(cells, ends);
     double low = 0, high = length;
     const double most = sum_of(sizes, high);
-    require<ConfigError>(most >= length * (1 - 1e-12), text(cells, " cells that grow by ", ends.growth, " from ", ends.low ? text(*ends.low, " m") : "",
-                                                            ends.low && ends.high ? " and " : "", ends.high ? text(*ends.high, " m") : "", " fill ", most,
-                                                            " m of ", length, " m: let them grow faster, or take more or larger cells"));
+    require<ConfigError>(most >= length * (1 - 1e-12),
+                         text(cells, " cells that grow by ", ends.growth, " from ", ends.low ? text(*ends.low, " m") : "",
+                              ends.low && ends.high ? " and " : "", ends.high ? text(*ends.high, " m") : "", " fill ", most, " m of ",
+                              length, " m: let them grow faster, or take more or larger cells"));
     for (int n = 0; n < bisections; ++n) {
         const double middle = 0.5 * (low + high);
         (sum_of(sizes, middle) < length ? low : high) = middle;

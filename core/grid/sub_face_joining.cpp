@@ -53,11 +53,13 @@ struct Contact {
     SideOverlap overlap;
 
     Contact(const MultiBlock& grid, const SideContact& c)
-        : sides(c), master(grid.blocks[std::size_t(c.a)], c.side_a), other(grid.blocks[std::size_t(c.b)], c.side_b, -c.shift),
+        : sides(c),
+          master(grid.blocks[std::size_t(c.a)], c.side_a),
+          other(grid.blocks[std::size_t(c.b)], c.side_b, -c.shift),
           overlap(core::overlap(master, other))
     {
-        require<ConfigError>(!overlap.faces.empty(),
-                             text(name_of({c.a, c.side_a}), " and ", name_of({c.b, c.side_b}), " are said to touch, but do not lie on each other"));
+        require<ConfigError>(!overlap.faces.empty(), text(name_of({c.a, c.side_a}), " and ", name_of({c.b, c.side_b}),
+                                                          " are said to touch, but do not lie on each other"));
         for (EdgePoint& e : overlap.points) e.point += c.shift;
         for (Vec3& x : overlap.rim) x += c.shift;
     }
@@ -173,7 +175,8 @@ SubFaceJoints join_at_sub_faces(const MultiBlock& grid, const Topology& topology
     }
     joints.places.resize(grid.blocks.size());
     for (const auto& [side, cover] : covers) {
-        require<ConfigError>(!topology.neighbour(side.first, side.second), text(name_of(side), " has a neighbour with matching points already"));
+        require<ConfigError>(!topology.neighbour(side.first, side.second),
+                             text(name_of(side), " has a neighbour with matching points already"));
         joints.places[std::size_t(side.first)][std::size_t(side.second)] = places_of(grid, side, cover);
     }
     std::vector<BentSide> bent_sides;

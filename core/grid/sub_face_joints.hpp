@@ -18,11 +18,11 @@ struct SidePlace {
 /// A sub-face between cell `a` of one block and cell `b` of another. All vectors as the block of `a` has them.
 struct JoinedSubFace {
     Index3 a, b;
-    Vec3 area;                 ///< from a to b [m2]
-    double transmissibility;   ///< |S|^2 / (S . d), d from centre to centre [m]
-    Vec3 cross;                ///< S - T d [m2]
-    SidePlace on_a, on_b;      ///< where its centre lies
-    double weight;             ///< share of b in the linear interpolation to it, across the sides
+    Vec3 area;               ///< from a to b [m2]
+    double transmissibility; ///< |S|^2 / (S . d), d from centre to centre [m]
+    Vec3 cross;              ///< S - T d [m2]
+    SidePlace on_a, on_b;    ///< where its centre lies
+    double weight;           ///< share of b in the linear interpolation to it, across the sides
 };
 
 /// Two sides that lie on each other, wholly or in part.

@@ -10,11 +10,11 @@ namespace core {
 /// A sub-face as one of the two blocks beside it sees it.
 struct BlockSubFace {
     const JoinedSubFace* face;
-    bool is_a;      ///< This block has cell `a`.
-    Side side;      ///< of this block
-    Index3 cell;    ///< of this block
-    int beyond;     ///< number of the value of the cell on the other side
-    int at_centre;  ///< number of the value at the centre of the sub-face
+    bool is_a;     ///< This block has cell `a`.
+    Side side;     ///< of this block
+    Index3 cell;   ///< of this block
+    int beyond;    ///< number of the value of the cell on the other side
+    int at_centre; ///< number of the value at the centre of the sub-face
 };
 
 /// Values of cells beyond come first, then one for each sub-face.

@@ -58,9 +58,8 @@ Surface welded(const std::vector<Quad>& quads, double tolerance)
     for (const Quad& q : quads) corners.insert(corners.end(), q.begin(), q.end());
     std::vector<int> order(corners.size());
     std::iota(order.begin(), order.end(), 0);
-    std::sort(order.begin(), order.end(), [&](int a, int b) {
-        return std::pair(corners[std::size_t(a)].x(), a) < std::pair(corners[std::size_t(b)].x(), b);
-    });
+    std::sort(order.begin(), order.end(),
+              [&](int a, int b) { return std::pair(corners[std::size_t(a)].x(), a) < std::pair(corners[std::size_t(b)].x(), b); });
     Surface surface;
     std::vector<int> number(corners.size(), -1);
     std::size_t window = 0; // first kept vertex that may still be as near as the tolerance along x

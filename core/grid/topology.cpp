@@ -140,8 +140,8 @@ void connect(Topology& topology, const Interface& f)
     const auto enter = [&](BlockId block, Side side, const Neighbour& n) {
         auto& place = topology.neighbours[std::size_t(block)][std::size_t(side)];
         require<ConfigError>(!place.has_value(),
-                             text("side ", side_words[std::size_t(side)], " of block ", block, " meets blocks ", place ? place->block : -1, " and ", n.block,
-                                  ": cut the blocks so that each side meets one other"));
+                             text("side ", side_words[std::size_t(side)], " of block ", block, " meets blocks ", place ? place->block : -1,
+                                  " and ", n.block, ": cut the blocks so that each side meets one other"));
         place = n;
     };
     enter(f.a, f.side_a, {f.b, f.side_b, f.a_to_b, f.shift});
@@ -170,8 +170,7 @@ Topology match_sides(MultiBlock& grid)
             }
     if (!grid.contacts.empty()) topology.joints = join_at_sub_faces(grid, topology);
     for (const SideRef s : sides)
-        if (topology.at_boundary(s.block, s.side))
-            topology.boundaries.push_back({s.block, s.side, grid.boundary_name(s.block, s.side)});
+        if (topology.at_boundary(s.block, s.side)) topology.boundaries.push_back({s.block, s.side, grid.boundary_name(s.block, s.side)});
     return topology;
 }
 

@@ -69,7 +69,8 @@ std::vector<TouchingSides> touching_sides(const MultiBlock& grid, const Topology
                 const SideTiling b(block_b, sides[n].side, shift);
                 if (!boxes_touch(box_of(a), box_of(b))) continue;
                 const double share = shared_area(block_a, a, block_b, b, shift) / std::min(area_of(a), area_of(b));
-                if (share > smallest_share) found.push_back({{sides[m].block, sides[n].block, sides[m].side, sides[n].side, -shift}, share});
+                if (share > smallest_share)
+                    found.push_back({{sides[m].block, sides[n].block, sides[m].side, sides[n].side, -shift}, share});
             }
     }
     return found;

@@ -42,8 +42,8 @@ std::array<WallEnds, 3> ends_of(const std::vector<WallSpacing>& wanted)
 {
     std::array<WallEnds, 3> ends;
     for (const WallSpacing& wall : wanted) {
-        require<ConfigError>(wall.first_cell > 0 && wall.growth >= 1,
-                             text("side ", side_words[std::size_t(wall.side)], " needs a first cell larger than 0 and a growth of 1 or more"));
+        require<ConfigError>(wall.first_cell > 0 && wall.growth >= 1, text("side ", side_words[std::size_t(wall.side)],
+                                                                           " needs a first cell larger than 0 and a growth of 1 or more"));
         WallEnds& here = ends[std::size_t(axis_of(wall.side))];
         (is_high(wall.side) ? here.high : here.low) = wall;
     }

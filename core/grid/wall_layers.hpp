@@ -32,7 +32,7 @@ private:
     [[nodiscard]] double correct(const Vertices& block, const WallSpacing& wall);
 
     std::array<WallEnds, 3> ends_;
-    std::array<Array3<double>, 3> factor_;    ///< of the straight lines that have the spacing, along each axis with layers
+    std::array<Array3<double>, 3> factor_;     ///< of the straight lines that have the spacing, along each axis with layers
     std::array<Array3<double>, 6> correction_; ///< at the vertices of each side with spacing: logarithm of a factor of the first cell
 };
 

@@ -40,8 +40,8 @@ inline constexpr int no_shift = image_number(0, 0, 0);
 {
     std::array<Vec3, 27> shifts;
     for (int n = 0; n < 27; ++n)
-        shifts[std::size_t(n)] = (n % 3 - 1) * domain.translation(0) + (n / 3 % 3 - 1) * domain.translation(1) +
-                                 (n / 9 - 1) * domain.translation(2);
+        shifts[std::size_t(n)] =
+            (n % 3 - 1) * domain.translation(0) + (n / 3 % 3 - 1) * domain.translation(1) + (n / 9 - 1) * domain.translation(2);
     return shifts;
 }
 

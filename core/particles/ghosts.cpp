@@ -94,8 +94,7 @@ void Ghosts::post_motion(const ParticleSet& particles, const Communicator& commu
         in_[r].resize(motion_values * std::size_t(count_[r]));
         if (!in_[r].empty()) communicator.receive(std::as_writable_bytes(std::span(in_[r])), int(r), motion_tag, pending);
         out_[r].clear();
-        for (const int i : chosen_[r])
-            for_each_motion(particles, std::size_t(i), [&](const double& value) { out_[r].push_back(value); });
+        for (const int i : chosen_[r]) for_each_motion(particles, std::size_t(i), [&](const double& value) { out_[r].push_back(value); });
         if (!out_[r].empty()) communicator.send(std::as_bytes(std::span<const double>(out_[r])), int(r), motion_tag, pending);
     }
 }
@@ -104,8 +103,7 @@ void Ghosts::take_motion(ParticleSet& particles) const
 {
     auto i = std::size_t(particles.owned);
     for (const auto& values : in_)
-        for (auto next = values.begin(); next != values.end(); ++i)
-            for_each_motion(particles, i, [&](double& value) { value = *next++; });
+        for (auto next = values.begin(); next != values.end(); ++i) for_each_motion(particles, i, [&](double& value) { value = *next++; });
 }
 
 } // namespace core

@@ -11,18 +11,17 @@ namespace core {
 class NearPairs {
 public:
     /// Takes from `pairs` those with a gap below `skin` [m], and their springs.
-    void refresh(const ParticleSet& particles, const PairList& pairs, const std::array<Vec3, 27>& shifts, double skin,
-                 const Team& team);
+    void refresh(const ParticleSet& particles, const PairList& pairs, const std::array<Vec3, 27>& shifts, double skin, const Team& team);
     /// Writes the springs back to the pairs; to be called before every refresh and rebuild but the first.
     void return_springs(PairList& pairs, const Team& team) const;
 
     std::vector<int> first, second, pair;
     std::vector<std::uint8_t> image;
-    std::array<Column, 3> spring;        ///< Tangential displacement of `first` against `second` [m].
-    Column root_mass;                    ///< sqrt(m1 m2 / (m1 + m2)) [kg^1/2].
-    std::vector<std::uint16_t> kind;     ///< Species of first + species_count * species of second.
+    std::array<Column, 3> spring;    ///< Tangential displacement of `first` against `second` [m].
+    Column root_mass;                ///< sqrt(m1 m2 / (m1 + m2)) [kg^1/2].
+    std::vector<std::uint16_t> kind; ///< Species of first + species_count * species of second.
     std::vector<int> plain_end, shifted_end;
-    std::vector<int> row;                ///< As PairList::row with near pairs; row i begins at pairs.row_begin[i].
+    std::vector<int> row; ///< As PairList::row with near pairs; row i begins at pairs.row_begin[i].
     std::vector<int> row_end;
     int species_count = 1;
 

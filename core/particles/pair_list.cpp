@@ -59,14 +59,12 @@ void PairList::copy_chunk(const ParticleSet& particles, const ContactHistory& hi
         const Spring kept = history.find(low, particles.id[index_of(high)]);
         for (std::size_t a = 0; a < 3; ++a) spring[a][p] = kept[a];
         const int other = high / particles_per_chunk;
-        if (high < particles.owned && other != chunk && std::find(later.begin(), later.end(), other) == later.end())
-            later.push_back(other);
+        if (high < particles.owned && other != chunk && std::find(later.begin(), later.end(), other) == later.end()) later.push_back(other);
         ++p;
     }
 }
 
-void PairList::build(const ParticleSet& particles, const CellList& cells, double skin, const ContactHistory& history,
-                     const Team& team)
+void PairList::build(const ParticleSet& particles, const CellList& cells, double skin, const ContactHistory& history, const Team& team)
 {
     const int count = (particles.owned + particles_per_chunk - 1) / particles_per_chunk;
     found_.resize(index_of(count));

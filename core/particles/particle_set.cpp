@@ -26,9 +26,8 @@ int ParticleSet::add_column()
 
 void ParticleSet::add(const Sphere& s)
 {
-    require<ConfigError>(s.radius > 0 && s.density > 0 && s.id >= 0,
-                         text("particle ", s.id, ": radius ", s.radius, " m and density ", s.density,
-                              " kg/m3 must be positive and the id not negative"));
+    require<ConfigError>(s.radius > 0 && s.density > 0 && s.id >= 0, text("particle ", s.id, ": radius ", s.radius, " m and density ",
+                                                                          s.density, " kg/m3 must be positive and the id not negative"));
     resize_owned(owned + 1);
     const auto i = std::size_t(owned - 1);
     for (std::size_t k = 0; k < 3; ++k) {

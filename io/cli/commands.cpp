@@ -7,15 +7,8 @@ namespace io {
 std::vector<Command> all_commands()
 {
     return {
-        run_command(),
-        check_command(),
-        plan_command(),
-        study_command(),
-        stress_command(),
-        digest_command(),
-        view_command(),
-        schema_command(),
-        explain_command(),
+        run_command(),    check_command(), plan_command(),   study_command(),   stress_command(),
+        digest_command(), view_command(),  schema_command(), explain_command(),
     };
 }
 

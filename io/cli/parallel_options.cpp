@@ -12,16 +12,15 @@ namespace io {
 
 namespace {
 
-    void check_executor(const std::string& executor)
-    {
-        const std::vector<std::string> kinds{"auto", "serial", "shuffle:SEED", "openmp", "tbb"};
-        const std::string shuffle = "shuffle:";
-        const std::string seed = executor.starts_with(shuffle) ? executor.substr(shuffle.size()) : "";
-        const bool has_seed =
-            !seed.empty() && std::all_of(seed.begin(), seed.end(), [](char c) { return c >= '0' && c <= '9'; });
-        if (has_seed || (executor != kinds[2] && std::find(kinds.begin(), kinds.end(), executor) != kinds.end())) return;
-        throw core::ConfigError("--executor: there is no executor '" + executor + "'; " + suggestion(executor, kinds));
-    }
+void check_executor(const std::string& executor)
+{
+    const std::vector<std::string> kinds{"auto", "serial", "shuffle:SEED", "openmp", "tbb"};
+    const std::string shuffle = "shuffle:";
+    const std::string seed = executor.starts_with(shuffle) ? executor.substr(shuffle.size()) : "";
+    const bool has_seed = !seed.empty() && std::all_of(seed.begin(), seed.end(), [](char c) { return c >= '0' && c <= '9'; });
+    if (has_seed || (executor != kinds[2] && std::find(kinds.begin(), kinds.end(), executor) != kinds.end())) return;
+    throw core::ConfigError("--executor: there is no executor '" + executor + "'; " + suggestion(executor, kinds));
+}
 
 } // namespace
 
@@ -29,8 +28,7 @@ std::vector<Option> parallel_options(ParallelOptions& place)
 {
     return {{"--ranks", "MPI ranks; the program starts mpirun itself", &place.ranks},
             {"--threads", "Threads of each rank; an equal share of the cores by default", &place.threads},
-            {"--executor", "auto, serial, shuffle:SEED, openmp or tbb: who runs the tasks; results do not differ",
-             &place.executor}};
+            {"--executor", "auto, serial, shuffle:SEED, openmp or tbb: who runs the tasks; results do not differ", &place.executor}};
 }
 
 std::optional<int> begin_parallel(const ParallelOptions& options, const Invocation& invocation)
@@ -46,9 +44,6 @@ std::optional<int> begin_parallel(const ParallelOptions& options, const Invocati
     return {};
 }
 
-int chosen_threads(const ParallelOptions& options, int ranks)
-{
-    return options.threads.value_or(std::max(1, available_cores() / ranks));
-}
+int chosen_threads(const ParallelOptions& options, int ranks) { return options.threads.value_or(std::max(1, available_cores() / ranks)); }
 
 } // namespace io

@@ -41,7 +41,8 @@ Command stress_command()
     auto a = std::make_shared<Arguments>(); // shared: the options and run() both need it
     return {"stress",
             "Run the stiff and extreme cases and judge them",
-            {{"names", "Cases to run; all by default", &a->names}, {"--cases", "Folder of the cases; tests/stress/cases by default", &a->folder}},
+            {{"names", "Cases to run; all by default", &a->names},
+             {"--cases", "Folder of the cases; tests/stress/cases by default", &a->folder}},
             [a](const Invocation& invocation) { return run(*a, invocation); }};
 }
 

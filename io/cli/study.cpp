@@ -17,7 +17,10 @@ struct Arguments {
     ParallelOptions parallel;
 };
 
-std::filesystem::path study_file(const std::filesystem::path& path) { return std::filesystem::is_directory(path) ? path / "study.yaml" : path; }
+std::filesystem::path study_file(const std::filesystem::path& path)
+{
+    return std::filesystem::is_directory(path) ? path / "study.yaml" : path;
+}
 
 std::filesystem::path output_folder(const Arguments& a)
 {
@@ -49,8 +52,9 @@ int run(const Arguments& a, Invocation invocation)
 Command study_command()
 {
     auto a = std::make_shared<Arguments>(); // shared: the options and run() both need it
-    std::vector<Option> options{{"study", "A study.yaml or its folder", &a->study, true},
-                                {"-o,--output", "Folder of study.csv, study.json and study.svg; runs/<scene>_study by default", &a->output}};
+    std::vector<Option> options{
+        {"study", "A study.yaml or its folder", &a->study, true},
+        {"-o,--output", "Folder of study.csv, study.json and study.svg; runs/<scene>_study by default", &a->output}};
     for (const Option& option : parallel_options(a->parallel)) options.push_back(option);
     return {"study", "Measure error against run time", options, [a](const Invocation& invocation) { return run(*a, invocation); }};
 }

@@ -9,15 +9,17 @@ namespace physics {
 void mixture_flux(CellVectors velocity, const GrainSumViews& sums, core::VectorView<double> flux)
 {
     for (std::size_t c = 0; c < 3; ++c)
-        map_cells(flux.component(int(c)), [](double u, double solid, double carried) { return (1.0 - solid) * u + carried; },
-                  velocity.component(int(c)), sums[sum_solid], sums[sum_flux + c]);
+        map_cells(
+            flux.component(int(c)), [](double u, double solid, double carried) { return (1.0 - solid) * u + carried; },
+            velocity.component(int(c)), sums[sum_solid], sums[sum_flux + c]);
 }
 
 void fluid_velocity(CellVectors flux, const GrainSumViews& sums, core::VectorView<double> velocity)
 {
     for (std::size_t c = 0; c < 3; ++c)
-        map_cells(velocity.component(int(c)), [](double q, double solid, double carried) { return (q - carried) / (1.0 - solid); },
-                  flux.component(int(c)), sums[sum_solid], sums[sum_flux + c]);
+        map_cells(
+            velocity.component(int(c)), [](double q, double solid, double carried) { return (q - carried) / (1.0 - solid); },
+            flux.component(int(c)), sums[sum_solid], sums[sum_flux + c]);
 }
 
 void predicted_velocity_change(const FluidOwn& own, const GrainSumViews& sums, CellVectors ledger, CellVectors miss,
@@ -32,9 +34,9 @@ void predicted_velocity_change(const FluidOwn& own, const GrainSumViews& sums, C
             const FluidPush push{owed, drive - gradient, impulse_taken(impulse, held, u), u, advected, untold};
             return predicted_change(push, density * phi, phi, {.reaction = reaction, .added = added}, dt);
         };
-        map_cells(change.component(axis), change_of, sums[sum_solid], sums[sum_impulse + c], sums[sum_held], sums[sum_predictor], sums[sum_added],
-                  own.velocity.component(axis), own.advected.component(axis), own.pressure_gradient.component(axis), ledger.component(axis),
-                  miss.component(axis));
+        map_cells(change.component(axis), change_of, sums[sum_solid], sums[sum_impulse + c], sums[sum_held], sums[sum_predictor],
+                  sums[sum_added], own.velocity.component(axis), own.advected.component(axis), own.pressure_gradient.component(axis),
+                  ledger.component(axis), miss.component(axis));
     }
 }
 
@@ -54,7 +56,8 @@ void predicted_volume_flux(const FluidOwn& own, const GrainSumViews& sums, CellV
     for (std::size_t c = 0; c < 3; ++c) {
         const int axis = int(c);
         map_cells(carried.component(axis), flux_of, sums[sum_solid], sums[sum_flux + c], sums[sum_predictor + 1], sums[sum_added + 1],
-                  own.velocity.component(axis), change.component(axis), miss.component(axis), known_mobility, own.pressure_gradient.component(axis));
+                  own.velocity.component(axis), change.component(axis), miss.component(axis), known_mobility,
+                  own.pressure_gradient.component(axis));
     }
 }
 
@@ -82,9 +85,12 @@ void projection_response(const GrainSumViews& sums, double density, double dt, c
         const double phi = 1.0 - solid;
         return cell_response(density * phi, phi, {.reaction = reaction, .flux = flux, .displaced = displaced}, dt);
     };
-    const auto solid = sums[sum_solid], reaction = sums[sum_projection], flux = sums[sum_projection + 1], displaced = sums[sum_projection + 2];
-    map_cells(response, [cell](auto... sum) { return cell(sum...).velocity; }, solid, reaction, flux, displaced);
-    map_cells(mobility, [cell](auto... sum) { return cell(sum...).mobility; }, solid, reaction, flux, displaced);
+    const auto solid = sums[sum_solid], reaction = sums[sum_projection], flux = sums[sum_projection + 1],
+               displaced = sums[sum_projection + 2];
+    map_cells(
+        response, [cell](auto... sum) { return cell(sum...).velocity; }, solid, reaction, flux, displaced);
+    map_cells(
+        mobility, [cell](auto... sum) { return cell(sum...).mobility; }, solid, reaction, flux, displaced);
 }
 
 } // namespace physics

@@ -39,10 +39,10 @@ void projection_response(const GrainSumViews& sums, double density, double dt, c
 
 /// How the fluid answered in a step.
 struct FluidAnswer {
-    CellVectors change;            ///< du of the predictor [m/s]
+    CellVectors change;                ///< du of the predictor [m/s]
     core::View<const double> response; ///< ru of the projection [m3 s/kg]
-    CellVectors gradient_change;   ///< of the pressure, -dG [Pa/m]
-    CellVectors miss;              ///< [m/s]
+    CellVectors gradient_change;       ///< of the pressure, -dG [Pa/m]
+    CellVectors miss;                  ///< [m/s]
 };
 
 /// Ledger: what is left of the fluid's equation with the sums over the real grains in place of those it took.

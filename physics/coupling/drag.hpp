@@ -46,8 +46,8 @@ inline constexpr double smallest_closure_fraction = 0.2;
 
 /// Numbers in the law of Wen and Yu that its users print differently.
 struct SuspensionNumbers {
-    double exponent = -2.65;  ///< of phi
-    double turbulent = 0.44;  ///< drag coefficient above Re = 1000
+    double exponent = -2.65; ///< of phi
+    double turbulent = 0.44; ///< drag coefficient above Re = 1000
 };
 
 /// Suspension: Schiller-Naumann at Re = rho phi |u-v| d / mu times phi^-2.65 [kg/s].
@@ -56,22 +56,17 @@ struct SuspensionNumbers {
 {
     const double phi = std::max(in.phi, smallest_closure_fraction);
     const double reynolds = in.density * phi * in.slip * in.diameter / in.viscosity;
-    return 3.0 * std::numbers::pi * in.viscosity * in.diameter * drag_over_stokes(reynolds, numbers.turbulent) * std::pow(phi, numbers.exponent);
+    return 3.0 * std::numbers::pi * in.viscosity * in.diameter * drag_over_stokes(reynolds, numbers.turbulent) *
+           std::pow(phi, numbers.exponent);
 }
 
 /// The seed's law: Ergun up to phi = 0.8, Wen-Yu above. It jumps there (3.7 times at Re = 1000): lineage runs only.
 /// @source  Tsuji, Kawaguchi, Tanaka (1993) with phi^-2.7 and 0.43; the units of Ushijima & Nezu (2001), equation 8, repaired.
-[[nodiscard]] inline double drag_kawaguchi(const DragInput& in)
-{
-    return in.phi > 0.8 ? drag_wen_yu(in, {-2.7, 0.43}) : drag_ergun(in);
-}
+[[nodiscard]] inline double drag_kawaguchi(const DragInput& in) { return in.phi > 0.8 ? drag_wen_yu(in, {-2.7, 0.43}) : drag_ergun(in); }
 
 /// Ergun up to phi = 0.8, Wen-Yu above, with their own numbers.
 /// @source  Gidaspow (1994).
-[[nodiscard]] inline double drag_gidaspow(const DragInput& in)
-{
-    return in.phi > 0.8 ? drag_wen_yu(in) : drag_ergun(in);
-}
+[[nodiscard]] inline double drag_gidaspow(const DragInput& in) { return in.phi > 0.8 ? drag_wen_yu(in) : drag_ergun(in); }
 
 /// Ergun and Wen-Yu blended over some 0.01 of phi around 0.8.
 /// @source  Huilin, Gidaspow (2003), switch function atan.

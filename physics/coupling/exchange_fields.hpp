@@ -10,13 +10,13 @@ namespace physics {
 
 /// What grains deposit, per volume of cell and filtered: the arrays of a batch, in this order.
 enum GrainSum : std::size_t {
-    sum_solid,                             ///< C [-]
-    sum_flux,                              ///< put(V v), three components [m/s]
-    sum_impulse = sum_flux + 3,            ///< put(J), three components [N s/m3]
-    sum_predictor = sum_impulse + 3,       ///< reaction, flux
-    sum_projection = sum_predictor + 2,    ///< reaction, flux, displaced
-    sum_held = sum_projection + 3,         ///< held drag [kg/m3]
-    sum_added = sum_held + 1,              ///< added, added_flux of the predictor: zero without added mass
+    sum_solid,                          ///< C [-]
+    sum_flux,                           ///< put(V v), three components [m/s]
+    sum_impulse = sum_flux + 3,         ///< put(J), three components [N s/m3]
+    sum_predictor = sum_impulse + 3,    ///< reaction, flux
+    sum_projection = sum_predictor + 2, ///< reaction, flux, displaced
+    sum_held = sum_projection + 3,      ///< held drag [kg/m3]
+    sum_added = sum_held + 1,           ///< added, added_flux of the predictor: zero without added mass
     grain_sums = sum_added + 2
 };
 
@@ -26,17 +26,17 @@ enum GrainView : std::size_t {
     view_pressure_force = view_velocity + 3,     ///< -grad p, filtered [N/m3]
     view_acceleration = view_pressure_force + 3, ///< Du/Dt, filtered [m/s2]
     state_views = view_acceleration + 3,
-    view_stress = state_views,        ///< div tau, filtered [N/m3]
+    view_stress = state_views, ///< div tau, filtered [N/m3]
     told_views = view_stress + 3,
-    view_vorticity = told_views,      ///< curl u, of the cells: no force acts back through it [1/s]
+    view_vorticity = told_views, ///< curl u, of the cells: no force acts back through it [1/s]
     grain_views = view_vorticity + 3
 };
 
 /// What grains sample when the fluid has answered: the views of the new state, and
 enum GrainNews : std::size_t {
-    news_projection = state_views,     ///< ru dG, filtered [m/s]
+    news_projection = state_views, ///< ru dG, filtered [m/s]
     news_views = news_projection + 3,
-    news_stress = news_views,          ///< of the new state: what the next step tells [N/m3]
+    news_stress = news_views, ///< of the new state: what the next step tells [N/m3]
     grain_news = news_stress + 3
 };
 
@@ -48,9 +48,11 @@ struct ExchangeFields {
           fraction_before({"fluid fraction before", "1", 0, false}, mesh.own_cells()),
           viscous({"viscous acceleration of the new velocity", "m/s2", 0, false}, mesh.own_cells()),
           sums({"sums over grains", "", 1, false}, mesh.own_cells()),
-          assumed({"sums over assumed grains", "", 1, false}, mesh.own_cells()), told({"told state", "", 1, false}, mesh.own_cells()),
+          assumed({"sums over assumed grains", "", 1, false}, mesh.own_cells()),
+          told({"told state", "", 1, false}, mesh.own_cells()),
           vorticity({"vorticity for grains", "1/s", 1, false}, mesh.own_cells()),
-          news({"answer for grains", "", 1, false}, mesh.own_cells()), advected({"advected velocity u^a", "m/s", 0, false}, mesh.own_cells()),
+          news({"answer for grains", "", 1, false}, mesh.own_cells()),
+          advected({"advected velocity u^a", "m/s", 0, false}, mesh.own_cells()),
           miss({"untold change of velocity", "m/s", 0, false}, mesh.own_cells()),
           change({"predicted change of velocity", "m/s", 0, false}, mesh.own_cells()),
           response({"velocity per force", "m3 s/kg", 0, false}, mesh.own_cells()),
@@ -67,7 +69,7 @@ struct ExchangeFields {
     // Of the velocity that a step ends with, for the next one: they follow from the state, so no checkpoint has them.
     core::VectorField viscous;
     core::FieldBatch<grain_sums> sums, assumed; ///< of the grains as they are, and as a fluid lane takes them that does not wait
-    core::FieldBatch<told_views> told; ///< filtered state that the grains are told
+    core::FieldBatch<told_views> told;          ///< filtered state that the grains are told
     core::FieldBatch<3> vorticity;
     core::FieldBatch<grain_news> news;
     core::VectorField advected; ///< u^a: advection and viscosity alone

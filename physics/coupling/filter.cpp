@@ -58,11 +58,11 @@ void Filter::set_bound(double bound)
     polynomial = {};
     if (steps <= options_.most_steps) polynomial.steps = diffusion_steps(steps);
     else polynomial.coefficients = chebyshev_exponential(steps, 0.5 * options_.undershoot); // differs by twice what is cut off
-    core::require<core::ConfigError>(
-        degree() <= options_.most_degree,
-        core::text("the coupling filter of bandwidth ", options_.bandwidth, " m needs ", degree(), " passes (at most ",
-                   options_.most_degree, "): the thinnest cells are about ", std::sqrt(4.0 / bound),
-                   " m. Use a smaller bandwidth or thicker cells where particles are."));
+    core::require<core::ConfigError>(degree() <= options_.most_degree,
+                                     core::text("the coupling filter of bandwidth ", options_.bandwidth, " m needs ", degree(),
+                                                " passes (at most ", options_.most_degree, "): the thinnest cells are about ",
+                                                std::sqrt(4.0 / bound),
+                                                " m. Use a smaller bandwidth or thicker cells where particles are."));
 }
 
 void Filter::put(const core::Team& team, int fields, const FieldsIn& densities)

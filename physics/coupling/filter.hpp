@@ -10,11 +10,11 @@
 namespace physics {
 
 struct FilterOptions {
-    double bandwidth = 0.0;    ///< [m]
-    int most_steps = 100;      ///< explicit; beyond, where cells are thin, fewer Chebyshev terms do
-    double undershoot = 1e-6;  ///< of those: a single filled cell may become negative elsewhere by this part of its content
+    double bandwidth = 0.0;   ///< [m]
+    int most_steps = 100;     ///< explicit; beyond, where cells are thin, fewer Chebyshev terms do
+    double undershoot = 1e-6; ///< of those: a single filled cell may become negative elsewhere by this part of its content
     int most_degree = 1000;
-    int fields = 16;           ///< most fields in one batch
+    int fields = 16; ///< most fields in one batch
 };
 
 class Filter {

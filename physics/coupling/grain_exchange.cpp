@@ -100,8 +100,8 @@ void GrainExchange::load(core::ParticleSet& grains, const GrainTable& views, con
         const core::Vec3 force = at(views, view_pressure_force, g) + at(views, view_stress, g);
         const double mass = added_mass(p.added_mass, p.fluid_density, volume);
         const core::Vec3 delivered = step.delivery * column(grains, columns_.owed, g);
-        const core::Vec3 known = (grains.mass[k] - p.fluid_density * volume) * p.gravity + volume * (force + p.fluid_density * drive) +
-                           delivered / step.dt;
+        const core::Vec3 known =
+            (grains.mass[k] - p.fluid_density * volume) * p.gravity + volume * (force + p.fluid_density * drive) + delivered / step.dt;
         const SpinInput spin{fluid - velocity, vorticity, grains.spin_of(g), diameter, p.fluid_density, p.viscosity};
         WetLoad load;
         load.drag = grains.columns[std::size_t(columns_.drag)][k];
@@ -110,8 +110,8 @@ void GrainExchange::load(core::ParticleSet& grains, const GrainTable& views, con
         load.force = known + mass * tell(grains, g, acceleration, step.dt);
         if (p.lift) load.force += magnus_share(p, spin.slip.norm(), diameter) * magnus_lift(spin);
         if (p.force == FluidForce::material_derivative)
-            load.force += extra_force(grains, g, p.fluid_density * (at(views, view_acceleration, g) - drive) -
-                                                     at(views, view_pressure_force, g));
+            load.force +=
+                extra_force(grains, g, p.fluid_density * (at(views, view_acceleration, g) - drive) - at(views, view_pressure_force, g));
         load.fluid_velocity = fluid;
         if (p.torque) {
             load.fluid_spin = 0.5 * vorticity;
@@ -217,16 +217,19 @@ void GrainExchange::owe(core::ParticleSet& grains, const Told& told, const Grain
         const GrainResponse p = response_to_velocity(coupling, predictor_yield(hold));
         const GrainResponse q = response_to_pressure(coupling, projection_yield(hold, coupling.drag / coupling.mass));
         const auto change = [&](std::size_t view) -> core::Vec3 { return at(news, view, g) - at(told.views, view, g); };
-        const core::Vec3 force_new = at(news, view_pressure_force, g) + at(told.views, view_stress, g), velocity_change = change(view_velocity);
+        const core::Vec3 force_new = at(news, view_pressure_force, g) + at(told.views, view_stress, g),
+                         velocity_change = change(view_velocity);
         const core::Vec3 force_change = change(view_pressure_force), projection = at(news, news_projection, g);
-        const core::Vec3 predictor = velocity_change - projection, miss = dt * change(view_acceleration) - velocity_change + column(grains, columns_.untold, g);
+        const core::Vec3 predictor = velocity_change - projection,
+                         miss = dt * change(view_acceleration) - velocity_change + column(grains, columns_.untold, g);
         const core::Vec3 used = column(grains, columns_.force_used, g);
         const GrainImpulses received = impulses_of(grains, g);
         grains.columns[std::size_t(columns_.hold)][std::size_t(g)] =
             contact_share(received.contact.dot(received.applied), received.applied.squaredNorm());
         core::Vec3 owed = column(grains, columns_.owed, g) - column(grains, columns_.delivered, g);
         for (int a = 0; a < 3; ++a)
-            owed[a] += owed_impulse({used[a], force_new[a], force_change[a], predictor[a], projection[a], miss[a]}, coupling.volume, p, q, dt);
+            owed[a] +=
+                owed_impulse({used[a], force_new[a], force_change[a], predictor[a], projection[a], miss[a]}, coupling.volume, p, q, dt);
         put(grains, columns_.owed, g, owed);
     }
 }

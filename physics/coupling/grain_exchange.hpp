@@ -30,9 +30,9 @@ struct ExchangeColumns {
 
 /// What a step is to the grains.
 struct GrainStep {
-    double dt;               ///< of the fluid [s]
-    double sub_step;         ///< of the grains [s]
-    double delivery = 1.0;   ///< share of what is owed that is delivered; less than all in steps shorter than those before
+    double dt;             ///< of the fluid [s]
+    double sub_step;       ///< of the grains [s]
+    double delivery = 1.0; ///< share of what is owed that is delivered; less than all in steps shorter than those before
 };
 
 /// Values at the grains: one column for each array of a batch, and a spare one.
@@ -65,7 +65,7 @@ public:
 
     /// What grains were told and did.
     struct Told {
-        const GrainTable& views;  ///< of the step or pass, sampled where the grains are now
+        const GrainTable& views; ///< of the step or pass, sampled where the grains are now
         const GrainHolds& holds;
         double dt; ///< [s]
     };

@@ -16,8 +16,7 @@ core::NumericsError left_the_domain(const core::ParticleSet& grains, int g, cons
 
 } // namespace
 
-void GrainPlaces::locate(const core::Mesh& mesh, const core::Locator& locator, const core::Domain& domain,
-                         const core::ParticleSet& grains)
+void GrainPlaces::locate(const core::Mesh& mesh, const core::Locator& locator, const core::Domain& domain, const core::ParticleSet& grains)
 {
     const auto count = std::size_t(grains.owned);
     locations_.resize(count);

@@ -53,8 +53,7 @@ inline constexpr double magnus_share_tsuji = 0.2;
     const double reynolds = in.density * speed * d / in.viscosity;
     const double shear = 0.5 * w * d / speed;
     const double root = 0.3314 * std::sqrt(shear);
-    const double factor = reynolds <= 40.0 ? (1.0 - root) * std::exp(-0.1 * reynolds) + root
-                                           : 0.0524 * std::sqrt(shear * reynolds);
+    const double factor = reynolds <= 40.0 ? (1.0 - root) * std::exp(-0.1 * reynolds) + root : 0.0524 * std::sqrt(shear * reynolds);
     return 1.615 * d * d * std::sqrt(in.density * in.viscosity / w) * factor * in.slip.cross(in.vorticity);
 }
 

@@ -51,10 +51,7 @@ double added_mass_amplification(double phi, double density_ratio, double added_m
 
 bool gives_way(double exchange, double softness) { return exchange > swaying_exchange_iterated && softness > swaying_softness; }
 
-double coupling_number(const StabilityNumbers& numbers)
-{
-    return numbers.stiffness * numbers.loading / (1.0 + numbers.loading);
-}
+double coupling_number(const StabilityNumbers& numbers) { return numbers.stiffness * numbers.loading / (1.0 + numbers.loading); }
 
 const char* name(Mode mode)
 {
@@ -69,25 +66,31 @@ const char* name(Mode mode)
 
 ModeChoice choose_mode(const StabilityNumbers& n)
 {
-    const std::string numbers = core::text("b = ", n.stiffness, ", M = ", n.loading, ", A = ", n.amplification,
-                                           ", C = ", n.solid_fraction, ", K/(k dt) = ", n.softness, ", b M/(1+M) = ", coupling_number(n), ", sub-steps of grains per cell ",
-                                           n.grain_work);
+    const std::string numbers =
+        core::text("b = ", n.stiffness, ", M = ", n.loading, ", A = ", n.amplification, ", C = ", n.solid_fraction,
+                   ", K/(k dt) = ", n.softness, ", b M/(1+M) = ", coupling_number(n), ", sub-steps of grains per cell ", n.grain_work);
     if (n.stiffness > stiff_for_auto) {
         return {Mode::iterated, core::text("iterated: drag is too stiff for one pass (b > ", stiff_for_auto, "); ", numbers)};
     }
     if (sways(n, swaying_softness)) {
-        return {Mode::iterated, core::text("iterated: the springs of the bed are too soft against drag for one pass (K/(k dt) > ", swaying_softness,
-                                           " and b M > ", swaying_exchange, "), it would sway ever more; shorter steps or a higher "
-                                           "contact.stiffness need one; ", numbers)};
+        return {Mode::iterated, core::text("iterated: the springs of the bed are too soft against drag for one pass (K/(k dt) > ",
+                                           swaying_softness, " and b M > ", swaying_exchange,
+                                           "), it would sway ever more; shorter steps or a higher "
+                                           "contact.stiffness need one; ",
+                                           numbers)};
     }
     if (!concurrent_holds(n) || n.solid_fraction >= dilute) {
-        return {Mode::pipelined, core::text("pipelined: drag is soft enough for one pass, but so many grains press on each other and on the fluid that "
-                                            "it needs their real state ('coarse' holds too, for a third more work of the grains); ", numbers)};
+        return {Mode::pipelined,
+                core::text("pipelined: drag is soft enough for one pass, but so many grains press on each other and on the fluid that "
+                           "it needs their real state ('coarse' holds too, for a third more work of the grains); ",
+                           numbers)};
     }
     if (n.grain_work < long_wait) {
-        return {Mode::pipelined, core::text("pipelined: 'concurrent' would hold (soft drag, few grains), but there is little to wait for; ", numbers)};
+        return {Mode::pipelined,
+                core::text("pipelined: 'concurrent' would hold (soft drag, few grains), but there is little to wait for; ", numbers)};
     }
-    return {Mode::concurrent, core::text("concurrent: soft drag and few grains with much work, the fluid need not wait for them; ", numbers)};
+    return {Mode::concurrent,
+            core::text("concurrent: soft drag and few grains with much work, the fluid need not wait for them; ", numbers)};
 }
 
 ModeChoice mode_of_step(std::optional<Mode> asked, const StabilityNumbers& numbers, std::int64_t step)

@@ -21,9 +21,9 @@ enum class Mode {
 
 /// Extremes of a scene that decide stability.
 struct StabilityNumbers {
-    double stiffness = 0.0;     ///< b = K dt / m, the largest [-]
-    double loading = 0.0;       ///< M = solid mass over fluid mass of a cell, the largest [-]
-    double amplification = 0.0; ///< A of naive lagging, added_mass_amplification() [-]
+    double stiffness = 0.0;      ///< b = K dt / m, the largest [-]
+    double loading = 0.0;        ///< M = solid mass over fluid mass of a cell, the largest [-]
+    double amplification = 0.0;  ///< A of naive lagging, added_mass_amplification() [-]
     double solid_fraction = 0.0; ///< C, the largest [-]
     double grain_work = 0.0;     ///< sub-steps of grains per cell of the fluid: what a fluid lane would wait for [-]
     double softness = 0.0;       ///< K / (k dt), the largest, k that of a bed as a whole per grain (bed_stiffness.hpp) [-]

@@ -31,17 +31,17 @@ enum class MagnusLaw {
 };
 
 struct CouplingParameters {
-    double fluid_density = 1000.0;  ///< [kg/m3]
-    double viscosity = 1e-3;        ///< dynamic [Pa s]
+    double fluid_density = 1000.0;           ///< [kg/m3]
+    double viscosity = 1e-3;                 ///< dynamic [Pa s]
     core::Vec3 gravity = core::Vec3::Zero(); ///< [m/s2]
     DragLaw drag = DragLaw::di_felice;
     FluidForce force = FluidForce::pressure_gradient;
-    double added_mass = 0.5;        ///< coefficient C_m; 0 leaves it out
-    bool lift = false;              ///< Magnus, by the spin relative to the fluid
+    double added_mass = 0.5; ///< coefficient C_m; 0 leaves it out
+    bool lift = false;       ///< Magnus, by the spin relative to the fluid
     MagnusLaw magnus = MagnusLaw::lun_liu;
-    bool torque = true;             ///< viscous
-    double filter_width = 0.0;      ///< bandwidth b of the diffusion filter [m]
-    std::optional<Mode> mode;       ///< none: chosen from the stability numbers
+    bool torque = true;        ///< viscous
+    double filter_width = 0.0; ///< bandwidth b of the diffusion filter [m]
+    std::optional<Mode> mode;  ///< none: chosen from the stability numbers
 };
 
 /// Drag coefficient K of one grain by the chosen law [kg/s].

@@ -8,12 +8,12 @@ namespace physics {
 
 /// What acts on the fluid of a cell over the step, one component, per volume.
 struct FluidPush {
-    double ledger = 0.0;           ///< L, impulse still owed to the fluid [N s/m3]
-    double force = 0.0;            ///< G known to the grain lane [N/m3]
-    double exchanged = 0.0;        ///< put(J), impulse the grains took [N s/m3]
-    double velocity_used = 0.0;    ///< fluid velocity the grain lane used (u^n, or the last pass) [m/s]
+    double ledger = 0.0;            ///< L, impulse still owed to the fluid [N s/m3]
+    double force = 0.0;             ///< G known to the grain lane [N/m3]
+    double exchanged = 0.0;         ///< put(J), impulse the grains took [N s/m3]
+    double velocity_used = 0.0;     ///< fluid velocity the grain lane used (u^n, or the last pass) [m/s]
     double velocity_advected = 0.0; ///< u^a [m/s]
-    double miss = 0.0;             ///< velocity_used - u^a - dt Dudt_used: acceleration the grains were not told [m/s]
+    double miss = 0.0;              ///< velocity_used - u^a - dt Dudt_used: acceleration the grains were not told [m/s]
 };
 
 /// Impulse on the fluid of a cell before it changes its velocity from `velocity_used` [N s/m3].
@@ -33,8 +33,7 @@ struct FluidPush {
 
 /// Change du of the fluid velocity from `velocity_used`.
 /// @param sums  put() of the grains' responses with the yield of the predictor.
-[[nodiscard]] inline double predicted_change(const FluidPush& push, double fluid_mass, double phi,
-                                             const GrainResponse& sums, double dt)
+[[nodiscard]] inline double predicted_change(const FluidPush& push, double fluid_mass, double phi, const GrainResponse& sums, double dt)
 {
     return impulse_on_fluid(push, fluid_mass, phi, sums, dt) / (fluid_mass + sums.reaction);
 }

@@ -38,16 +38,17 @@
 //     waited for and advection is semi-Lagrangian: u^a is then a velocity, which no error of continuity may change (a uniform
 //     flow stays uniform), and what its momentum rho (phi^{n+1} u^a - phi^n u^n) makes or loses is a line of the budget.
 //     In `coarse` and `concurrent`: what is left of the fluid's equation with the real sums in place of those it took,
-//        L = L^n + dt phi G^{n+1} + rho phi (u^a - u^{n+1}) - put(J) - hidden - added miss - reaction_p du - (reaction_q ru - entrained dt) dG,
+//        L = L^n + dt phi G^{n+1} + rho phi (u^a - u^{n+1}) - put(J) - hidden - added miss - reaction_p du - (reaction_q ru -
+//        entrained dt) dG,
 //     whatever the places of those it took. With flux-form advection (test column): besides,
 //        L = rho phi^n u^n - dt div(F rho u) - rho phi^{n+1} u^a,  F the volume flux of the fluid at n   (conserved_ledger).
 // The filtered u, -grad p and Dudt of n+1 are made once: for 6, and kept for 2 of the next step. du, dG and miss at the grains
 // are differences of them, for filter and sampling are linear.
-// `iterated` repeats 2-6, and of 1 what diffuses, from state n with u, Dudt and G of the last pass in place of those of state n: then step 4 has
-// rho phi (u^a - u_used), hidden is that of u_used, and miss = u_used - u^a - dt Dudt_used; what is owed stays that of state n, K becomes the mean of
-// the last pass's and that of u_used (Newton's method where drag is quadratic). The first step of a run: `iterated`.
-// `coarse` takes C, v, J, h of 3-5 from a DEM pass of longer sub-steps, `concurrent` from free flight held back by h of the
-// last step, at the places n: nothing in the fluid lane waits for the grains.
+// `iterated` repeats 2-6, and of 1 what diffuses, from state n with u, Dudt and G of the last pass in place of those of state n:
+// then step 4 has rho phi (u^a - u_used), hidden is that of u_used, and miss = u_used - u^a - dt Dudt_used; what is owed stays
+// that of state n, K becomes the mean of the last pass's and that of u_used (Newton's method where drag is quadratic). The first
+// step of a run: `iterated`. `coarse` takes C, v, J, h of 3-5 from a DEM pass of longer sub-steps, `concurrent` from free flight
+// held back by h of the last step, at the places n: nothing in the fluid lane waits for the grains.
 //
 // Soft springs: a held grain that its drag carries along on its springs through the whole step, K / (k dt) > 0.3 with k the stiffness
 // of the bed as a whole, moves with the fluid like a mass on a spring. One pass feeds that sway where b M > 0.5 (mode.cpp): then

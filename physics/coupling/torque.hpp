@@ -24,8 +24,7 @@ namespace physics {
 
 /// Spin after dt under the fluid's torque alone, exact for a constant factor.
 /// @param inertia  Moment of inertia, m d^2 / 10 [kg m2].
-[[nodiscard]] inline core::Vec3 spin_after(const core::Vec3& spin, const core::Vec3& vorticity, double factor,
-                                           double inertia, double dt)
+[[nodiscard]] inline core::Vec3 spin_after(const core::Vec3& spin, const core::Vec3& vorticity, double factor, double inertia, double dt)
 {
     const core::Vec3 relative = spin - 0.5 * vorticity;
     return spin + std::expm1(-factor * dt / inertia) * relative;

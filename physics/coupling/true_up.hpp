@@ -8,12 +8,12 @@ namespace physics {
 
 /// Cell fields of the finished step sampled at one grain, one component, at the positions n+1.
 struct SampledChange {
-    double force_used = 0.0;     ///< B G that the sub-steps used, at the old position [N/m3]
-    double force_new = 0.0;      ///< B G^{n+1} [N/m3]
-    double force_change = 0.0;   ///< B dG [N/m3]
-    double predictor = 0.0;      ///< B du of the predictor [m/s]
-    double projection = 0.0;     ///< B (ru dG) [m/s]
-    double miss = 0.0;           ///< B miss [m/s]
+    double force_used = 0.0;   ///< B G that the sub-steps used, at the old position [N/m3]
+    double force_new = 0.0;    ///< B G^{n+1} [N/m3]
+    double force_change = 0.0; ///< B dG [N/m3]
+    double predictor = 0.0;    ///< B du of the predictor [m/s]
+    double projection = 0.0;   ///< B (ru dG) [m/s]
+    double miss = 0.0;         ///< B miss [m/s]
 };
 
 /// Impulse owed to a grain, to be delivered evenly over the next interval [N s].
@@ -22,9 +22,8 @@ struct SampledChange {
 [[nodiscard]] inline double owed_impulse(const SampledChange& at, double volume, const GrainResponse& predictor_response,
                                          const GrainResponse& projection_response, double dt)
 {
-    return volume * dt * (at.force_new - at.force_used) + predictor_response.reaction * at.predictor
-         + predictor_response.added * at.miss + projection_response.reaction * at.projection
-         - projection_response.flux * dt * at.force_change;
+    return volume * dt * (at.force_new - at.force_used) + predictor_response.reaction * at.predictor + predictor_response.added * at.miss +
+           projection_response.reaction * at.projection - projection_response.flux * dt * at.force_change;
 }
 
 /// Ledger of any advection: what flux form would have kept, less what the new fluid mass carries at u^a [N s/m3].

@@ -132,8 +132,15 @@ private:
 struct InverseJacobianRow {
     const double *xx, *xy, *xz, *yx, *yy, *yz, *zx, *zy, *zz;
     InverseJacobianRow(const core::BlockGeometry& g, int j, int k)
-        : xx(at(g, 0, 0, j, k)), xy(at(g, 0, 1, j, k)), xz(at(g, 0, 2, j, k)), yx(at(g, 1, 0, j, k)), yy(at(g, 1, 1, j, k)),
-          yz(at(g, 1, 2, j, k)), zx(at(g, 2, 0, j, k)), zy(at(g, 2, 1, j, k)), zz(at(g, 2, 2, j, k))
+        : xx(at(g, 0, 0, j, k)),
+          xy(at(g, 0, 1, j, k)),
+          xz(at(g, 0, 2, j, k)),
+          yx(at(g, 1, 0, j, k)),
+          yy(at(g, 1, 1, j, k)),
+          yz(at(g, 1, 2, j, k)),
+          zx(at(g, 2, 0, j, k)),
+          zy(at(g, 2, 1, j, k)),
+          zz(at(g, 2, 2, j, k))
     {
     }
 
@@ -244,8 +251,9 @@ void require_within_reach(const LongestWay& way, core::BlockId block, double dt)
 {
     constexpr double rounding = 1e-9; // of a way of just one cell
     core::require<core::NumericsError>(way.cells <= 1 + rounding,
-                                       core::text("block ", block, ", cell (", way.cell.i, ", ", way.cell.j, ", ", way.cell.k, "): in a step of ", dt,
-                                                  " s its water comes from ", way.cells, " cells away, stencils and halos reach 1: make the step smaller"));
+                                       core::text("block ", block, ", cell (", way.cell.i, ", ", way.cell.j, ", ", way.cell.k,
+                                                  "): in a step of ", dt, " s its water comes from ", way.cells,
+                                                  " cells away, stencils and halos reach 1: make the step smaller"));
 }
 
 std::array<bool, 3> singular_axes(const core::Topology& topology, core::BlockId block)
@@ -260,8 +268,8 @@ std::array<bool, 3> singular_axes(const core::Topology& topology, core::BlockId 
     return axes;
 }
 
-void advect(const core::BlockGeometry& geometry, core::VectorView<const double> q,
-            core::VectorView<const double> displacement, std::array<bool, 3> singular, core::VectorView<double> out)
+void advect(const core::BlockGeometry& geometry, core::VectorView<const double> q, core::VectorView<const double> displacement,
+            std::array<bool, 3> singular, core::VectorView<double> out)
 {
     const auto near_singular = geometry.near_singular.view();
     // Across the edges: linear along every axis unless all singular edges run along it.

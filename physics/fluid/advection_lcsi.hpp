@@ -52,7 +52,7 @@ void require_within_reach(const LongestWay& way, core::BlockId block, double dt)
 /// @param singular      Of singular_axes().
 /// @param displacement  At most one cell in each direction.
 /// @source  NUMERICS A5 (after Ushijima 1994): the member of the family that amplifies no mode.
-void advect(const core::BlockGeometry& geometry, core::VectorView<const double> q,
-            core::VectorView<const double> displacement, std::array<bool, 3> singular, core::VectorView<double> out);
+void advect(const core::BlockGeometry& geometry, core::VectorView<const double> q, core::VectorView<const double> displacement,
+            std::array<bool, 3> singular, core::VectorView<double> out);
 
 } // namespace physics

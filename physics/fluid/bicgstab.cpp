@@ -45,24 +45,23 @@ void new_direction(const core::Team& team, const KrylovWorkspace& work, const Bi
 }
 
 /// x += factor * correction; r -= factor * change; sums of the squares of r and of r times shadow.
-void step(const core::Team& team, KrylovWorkspace& work, const BiCgVectors& w, double factor, std::span<double> change,
-          std::span<double> x)
+void step(const core::Team& team, KrylovWorkspace& work, const BiCgVectors& w, double factor, std::span<double> change, std::span<double> x)
 {
-    work.sums.form(team, [r = w.r.data(), s = w.shadow.data(), d = w.correction.data(), q = change.data(), x = x.data(),
-                          factor](Flat b, Flat e) {
+    work.sums.form(team,
+                   [r = w.r.data(), s = w.shadow.data(), d = w.correction.data(), q = change.data(), x = x.data(), factor](Flat b, Flat e) {
 #pragma omp simd
-        for (Flat c = b; c < e; ++c) {
-            x[c] += factor * d[c];
-            r[c] -= factor * q[c];
-        }
-        return std::array{dot(b, e, r, r), dot(b, e, r, s)};
-    });
+                       for (Flat c = b; c < e; ++c) {
+                           x[c] += factor * d[c];
+                           r[c] -= factor * q[c];
+                       }
+                       return std::array{dot(b, e, r, r), dot(b, e, r, s)};
+                   });
 }
 
 } // namespace
 
-KrylovProcess bicgstab(const core::Team& team, KrylovWorkspace& work, const KrylovOptions& options,
-                       std::span<double> right, std::span<double> x, KrylovReport& report)
+KrylovProcess bicgstab(const core::Team& team, KrylovWorkspace& work, const KrylovOptions& options, std::span<double> right,
+                       std::span<double> x, KrylovReport& report)
 {
     const BiCgVectors w = bicg_vectors(work);
     auto& sums = work.sums;

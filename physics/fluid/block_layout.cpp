@@ -12,7 +12,8 @@ BlockLayout::BlockLayout(std::vector<core::BlockId> ids, std::vector<core::Exten
     std::ptrdiff_t next = 0;
     for (const auto& c : cells_) {
         const std::ptrdiff_t plane = std::ptrdiff_t(c.ni) * c.nj;
-        const std::ptrdiff_t before = origins_.empty() ? 0 : std::ptrdiff_t(cells_[origins_.size() - 1].ni) * cells_[origins_.size() - 1].nj;
+        const std::ptrdiff_t before =
+            origins_.empty() ? 0 : std::ptrdiff_t(cells_[origins_.size() - 1].ni) * cells_[origins_.size() - 1].nj;
         next += std::max({plane, before, std::ptrdiff_t(1)});
         origins_.push_back(next);
         next += c.size();

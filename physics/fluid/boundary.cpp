@@ -51,8 +51,8 @@ std::vector<BlockWalls> make_walls(const core::Mesh& mesh, const BoundaryConditi
             walls[std::size_t(b)].sides[std::size_t(boundary.side)] =
                 make_side(mesh, boundary, said != conditions.end() ? said->second : BoundaryCondition{});
     }
-    core::require<core::ConfigError>(unused.empty(), core::text("no boundary is called '",
-                                                                unused.empty() ? "" : unused.begin()->first, "'"));
+    core::require<core::ConfigError>(unused.empty(),
+                                     core::text("no boundary is called '", unused.empty() ? "" : unused.begin()->first, "'"));
     for (core::LocalBlock b = 0; b < mesh.own_count(); ++b)
         walls[std::size_t(b)].pressure_matrices = matrices_with_given_pressure(mesh.geometry(b), walls[std::size_t(b)]);
     return walls;

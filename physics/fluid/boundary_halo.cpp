@@ -71,11 +71,15 @@ void mirror_source(const BlockWalls& walls, int layers, core::VectorView<const d
 
 void mirror_even(const BlockWalls& walls, int layers, core::View<double> q)
 {
-    for_each_mirrored(walls, q.extents(), layers, [&](const BlockSide&, core::Index3 inside, core::Index3 beyond) { q[beyond] = q[inside]; });
+    for_each_mirrored(walls, q.extents(), layers,
+                      [&](const BlockSide&, core::Index3 inside, core::Index3 beyond) { q[beyond] = q[inside]; });
 }
 
 void mirror_pressure(const BlockWalls& walls, int layers, core::View<double> pressure) { mirror_about_given(walls, layers, 1, pressure); }
 
-void mirror_pressure_change(const BlockWalls& walls, int layers, core::View<double> change) { mirror_about_given(walls, layers, 0, change); }
+void mirror_pressure_change(const BlockWalls& walls, int layers, core::View<double> change)
+{
+    mirror_about_given(walls, layers, 0, change);
+}
 
 } // namespace physics

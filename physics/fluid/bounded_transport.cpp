@@ -49,8 +49,7 @@ void reduce_along(int axis, core::View<const double> gain, core::View<const doub
             const double *take = gain.row(j, k), *give = loss.row(j, k);
             double* a = added.row(j, k);
 #pragma omp simd
-            for (int i = 0; i < n.ni; ++i)
-                a[i] *= a[i] > 0 ? std::min(take[i], give[i - s]) : std::min(take[i - s], give[i]);
+            for (int i = 0; i < n.ni; ++i) a[i] *= a[i] > 0 ? std::min(take[i], give[i - s]) : std::min(take[i - s], give[i]);
         }
 }
 
@@ -96,8 +95,8 @@ void outflow_of_cells(core::FaceView<const double> flux, core::View<double> outf
     const core::Extents n = outflow.extents();
     for (int k = 0; k < n.nk; ++k)
         for (int j = 0; j < n.nj; ++j) {
-            const double *fi = flux.i.row(j, k), *low_j = flux.j.row(j, k), *high_j = flux.j.row(j + 1, k),
-                         *low_k = flux.k.row(j, k), *high_k = flux.k.row(j, k + 1);
+            const double *fi = flux.i.row(j, k), *low_j = flux.j.row(j, k), *high_j = flux.j.row(j + 1, k), *low_k = flux.k.row(j, k),
+                         *high_k = flux.k.row(j, k + 1);
             double* out = outflow.row(j, k);
 #pragma omp simd
             for (int i = 0; i < n.ni; ++i)
@@ -115,15 +114,19 @@ void flux_shares(core::View<const double> value, core::View<const double> low, c
     for (int k = 0; k < n.nk; ++k)
         for (int j = 0; j < n.nj; ++j) {
             const double *v = value.row(j, k), *q = low.row(j, k), *room = capacity.row(j, k), *fi = added.i.row(j, k);
-            const double *low_j = added.j.row(j, k), *high_j = added.j.row(j + 1, k), *low_k = added.k.row(j, k), *high_k = added.k.row(j, k + 1);
+            const double *low_j = added.j.row(j, k), *high_j = added.j.row(j + 1, k), *low_k = added.k.row(j, k),
+                         *high_k = added.k.row(j, k + 1);
             double *take = gain.row(j, k), *give = loss.row(j, k);
 #pragma omp simd
             for (int i = 0; i < n.ni; ++i) {
-                const double most = std::max({std::max({v[i], v[i - 1], v[i + 1]}), std::max(v[i - sj], v[i + sj]), std::max(v[i - sk], v[i + sk])});
-                const double least = std::min({std::min({v[i], v[i - 1], v[i + 1]}), std::min(v[i - sj], v[i + sj]), std::min(v[i - sk], v[i + sk])});
+                const double most =
+                    std::max({std::max({v[i], v[i - 1], v[i + 1]}), std::max(v[i - sj], v[i + sj]), std::max(v[i - sk], v[i + sk])});
+                const double least =
+                    std::min({std::min({v[i], v[i - 1], v[i + 1]}), std::min(v[i - sj], v[i + sj]), std::min(v[i - sk], v[i + sk])});
                 const double in = (std::max(fi[i], 0.0) - std::min(fi[i + 1], 0.0)) + (std::max(low_j[i], 0.0) - std::min(high_j[i], 0.0)) +
                                   (std::max(low_k[i], 0.0) - std::min(high_k[i], 0.0));
-                const double out = (std::max(fi[i + 1], 0.0) - std::min(fi[i], 0.0)) + (std::max(high_j[i], 0.0) - std::min(low_j[i], 0.0)) +
+                const double out = (std::max(fi[i + 1], 0.0) - std::min(fi[i], 0.0)) +
+                                   (std::max(high_j[i], 0.0) - std::min(low_j[i], 0.0)) +
                                    (std::max(high_k[i], 0.0) - std::min(low_k[i], 0.0));
                 take[i] = std::min(1.0, std::max(most - q[i], 0.0) * room[i] / (in + nothing));
                 give[i] = std::min(1.0, std::max(q[i] - least, 0.0) * room[i] / (out + nothing));

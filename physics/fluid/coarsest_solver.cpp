@@ -11,8 +11,8 @@ struct CoarsestSolver::Implementation {
     Eigen::SparseMatrix<double> matrix;
     Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors;
     Eigen::VectorXd right, work;
-    std::vector<int> place;  // flat place of each row
-    std::vector<int> row;    // row of each flat place
+    std::vector<int> place; // flat place of each row
+    std::vector<int> row;   // row of each flat place
     std::vector<Eigen::Triplet<double>> entries;
 
     /// Entries of the lower triangle, always in the same order; values may be zero.

@@ -16,11 +16,12 @@ void diffusive_inflow(const core::BlockGeometry& geometry, const BlockWalls& wal
 
 void scale_flux(const FaceFactors& factors, core::FaceView<double> flux)
 {
-    if (factors) map_faces(flux, [](double f, double factor) { return f * factor; }, flux, *factors);
+    if (factors)
+        map_faces(
+            flux, [](double f, double factor) { return f * factor; }, flux, *factors);
 }
 
-void viscous_acceleration(const core::BlockGeometry& geometry, double viscosity, core::View<const double> inflow,
-                          core::View<double> out)
+void viscous_acceleration(const core::BlockGeometry& geometry, double viscosity, core::View<const double> inflow, core::View<double> out)
 {
     const auto volume = geometry.volume.view();
     const core::Extents n = geometry.cells;
@@ -38,8 +39,8 @@ void transmissibility_sum(const core::BlockGeometry& geometry, core::View<double
     const auto i_face = geometry.face[0].transmissibility.view(), j_face = geometry.face[1].transmissibility.view(),
                k_face = geometry.face[2].transmissibility.view();
     core::for_each_cell(geometry.cells, [&](int i, int j, int k) {
-        sum(i, j, k) = i_face(i, j, k) + i_face(i + 1, j, k) + j_face(i, j, k) + j_face(i, j + 1, k) + k_face(i, j, k) +
-                       k_face(i, j, k + 1);
+        sum(i, j, k) =
+            i_face(i, j, k) + i_face(i + 1, j, k) + j_face(i, j, k) + j_face(i, j + 1, k) + k_face(i, j, k) + k_face(i, j, k + 1);
     });
 }
 
@@ -49,7 +50,8 @@ void transmissibility_sum(const core::BlockGeometry& geometry, core::FaceView<co
         return geometry.face[std::size_t(axis)].transmissibility.view()[face] * factors.along(axis)[face];
     };
     core::for_each_cell(geometry.cells, [&](int i, int j, int k) {
-        sum(i, j, k) = of(0, {i, j, k}) + of(0, {i + 1, j, k}) + of(1, {i, j, k}) + of(1, {i, j + 1, k}) + of(2, {i, j, k}) + of(2, {i, j, k + 1});
+        sum(i, j, k) =
+            of(0, {i, j, k}) + of(0, {i + 1, j, k}) + of(1, {i, j, k}) + of(1, {i, j + 1, k}) + of(2, {i, j, k}) + of(2, {i, j, k + 1});
     });
 }
 

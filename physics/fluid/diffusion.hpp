@@ -21,8 +21,7 @@ void diffusive_inflow(const core::BlockGeometry& geometry, const BlockWalls& wal
 /// @param viscosity  Kinematic [m2/s].
 /// @param inflow     Of diffusive_inflow(); may be the same as out.
 /// @param[out] out   [unit of q / s].
-void viscous_acceleration(const core::BlockGeometry& geometry, double viscosity, core::View<const double> inflow,
-                          core::View<double> out);
+void viscous_acceleration(const core::BlockGeometry& geometry, double viscosity, core::View<const double> inflow, core::View<double> out);
 
 /// Sum of the transmissibilities of each cell's faces, walls included [m].
 void transmissibility_sum(const core::BlockGeometry& geometry, core::View<double> sum);

@@ -13,9 +13,9 @@ struct ConstantDrive {
 
 /// acceleration = amplitude cos(angular_frequency t + phase)
 struct HarmonicDrive {
-    core::Vec3 amplitude;       ///< [m/s2]
-    double angular_frequency;   ///< [rad/s], not zero
-    double phase = 0;           ///< [rad]
+    core::Vec3 amplitude;     ///< [m/s2]
+    double angular_frequency; ///< [rad/s], not zero
+    double phase = 0;         ///< [rad]
 };
 
 /// Turns round whenever the speed on the axis, in the direction of the drive, reaches a value.

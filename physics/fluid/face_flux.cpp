@@ -22,8 +22,8 @@ void two_point_flux_along(const core::FaceMetrics& face, int axis, core::View<co
         }
 }
 
-void gradient_flux_along(const core::FaceMetrics& face, int axis, core::View<const double> q,
-                         core::VectorView<const double> g, core::View<double> flux)
+void gradient_flux_along(const core::FaceMetrics& face, int axis, core::View<const double> q, core::VectorView<const double> g,
+                         core::View<double> flux)
 {
     const core::Extents n = flux.extents();
     const std::ptrdiff_t back = q.stride(axis), gback = g.x.stride(axis);
@@ -46,15 +46,14 @@ void interpolated_flux_along(const core::FaceMetrics& face, int axis, core::Vect
     const std::ptrdiff_t back = u.x.stride(axis);
     for (int k = 0; k < n.nk; ++k)
         for (int j = 0; j < n.nj; ++j) {
-            const double *w = face.weight.view().row(j, k), *sx = face.area_x.view().row(j, k),
-                         *sy = face.area_y.view().row(j, k), *sz = face.area_z.view().row(j, k);
+            const double *w = face.weight.view().row(j, k), *sx = face.area_x.view().row(j, k), *sy = face.area_y.view().row(j, k),
+                         *sz = face.area_z.view().row(j, k);
             const double *x = u.x.row(j, k), *y = u.y.row(j, k), *z = u.z.row(j, k);
             double* f = flux.row(j, k);
 #pragma omp simd
             for (int i = 0; i < n.ni; ++i) {
                 const double b = w[i], a = 1 - b;
-                f[i] = sx[i] * (b * x[i] + a * x[i - back]) + sy[i] * (b * y[i] + a * y[i - back]) +
-                       sz[i] * (b * z[i] + a * z[i - back]);
+                f[i] = sx[i] * (b * x[i] + a * x[i - back]) + sy[i] * (b * y[i] + a * y[i - back]) + sz[i] * (b * z[i] + a * z[i - back]);
             }
         }
 }
@@ -113,8 +112,7 @@ void pressure_wall_flux(const core::BlockGeometry& geometry, const BlockWalls& w
 void interpolated_flux(const core::BlockGeometry& geometry, const BlockWalls& walls, core::VectorView<const double> u,
                        core::FaceView<double> flux)
 {
-    for (int axis = 0; axis < 3; ++axis)
-        interpolated_flux_along(geometry.face[std::size_t(axis)], axis, u, flux.along(axis));
+    for (int axis = 0; axis < 3; ++axis) interpolated_flux_along(geometry.face[std::size_t(axis)], axis, u, flux.along(axis));
     sub_face_interpolated_flux(geometry, u, flux);
     wall_flux(geometry, walls, flux);
 }
@@ -126,8 +124,9 @@ void wall_flux(const core::BlockGeometry& geometry, const BlockWalls& walls, cor
         const int axis = core::axis_of(side);
         const auto f = flux.along(axis);
         const SideVectors& velocity = walls.at(side).velocity;
-        for_each_side_face(geometry.cells, side,
-                           [&](int i, int j, int k) { f(i, j, k) = geometry.area(axis, i, j, k).dot(velocity[{i, j, k}]); });
+        for_each_side_face(geometry.cells, side, [&](int i, int j, int k) {
+            f(i, j, k) = geometry.area(axis, i, j, k).dot(velocity[{i, j, k}]);
+        });
     }
 }
 
@@ -136,8 +135,8 @@ void net_outflow(core::FaceView<const double> flux, core::View<double> outflow)
     const core::Extents n = outflow.extents();
     for (int k = 0; k < n.nk; ++k)
         for (int j = 0; j < n.nj; ++j) {
-            const double *fi = flux.i.row(j, k), *low_j = flux.j.row(j, k), *high_j = flux.j.row(j + 1, k),
-                         *low_k = flux.k.row(j, k), *high_k = flux.k.row(j, k + 1);
+            const double *fi = flux.i.row(j, k), *low_j = flux.j.row(j, k), *high_j = flux.j.row(j + 1, k), *low_k = flux.k.row(j, k),
+                         *high_k = flux.k.row(j, k + 1);
             double* out = outflow.row(j, k);
 #pragma omp simd
             for (int i = 0; i < n.ni; ++i) out[i] = (fi[i + 1] - fi[i]) + (high_j[i] - low_j[i]) + (high_k[i] - low_k[i]);
@@ -149,8 +148,8 @@ void throughput(core::FaceView<const double> flux, core::View<double> through)
     const core::Extents n = through.extents();
     for (int k = 0; k < n.nk; ++k)
         for (int j = 0; j < n.nj; ++j) {
-            const double *fi = flux.i.row(j, k), *low_j = flux.j.row(j, k), *high_j = flux.j.row(j + 1, k),
-                         *low_k = flux.k.row(j, k), *high_k = flux.k.row(j, k + 1);
+            const double *fi = flux.i.row(j, k), *low_j = flux.j.row(j, k), *high_j = flux.j.row(j + 1, k), *low_k = flux.k.row(j, k),
+                         *high_k = flux.k.row(j, k + 1);
             double* out = through.row(j, k);
 #pragma omp simd
             for (int i = 0; i < n.ni; ++i)

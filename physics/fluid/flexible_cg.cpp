@@ -7,8 +7,8 @@ namespace physics {
 using detail::Flat;
 using Kind = KrylovDemand::Kind;
 
-KrylovProcess flexible_cg(const core::Team& team, KrylovWorkspace& work, const KrylovOptions& options,
-                          std::span<double> right, std::span<double> x, KrylovReport& report)
+KrylovProcess flexible_cg(const core::Team& team, KrylovWorkspace& work, const KrylovOptions& options, std::span<double> right,
+                          std::span<double> x, KrylovReport& report)
 {
     work.reserve(4);
     auto& sums = work.sums;

@@ -9,19 +9,24 @@ void split_flux(const core::BlockGeometry& geometry, const BlockWalls& walls, co
                 core::VectorView<const double> velocity, core::FaceView<double> remembered, core::View<double> outflow)
 {
     interpolated_flux(geometry, walls, velocity, remembered);
-    map_faces(remembered, [](double total, double interpolated) { return total - interpolated; }, flux, remembered);
+    map_faces(
+        remembered, [](double total, double interpolated) { return total - interpolated; }, flux, remembered);
     close_walls(walls, remembered);
     net_outflow(flux, outflow);
 }
 
 void add_remembered(double share, core::FaceView<const double> remembered, core::FaceView<double> flux)
 {
-    if (share > 0) map_faces(flux, [share](double f, double r) { return f + share * r; }, flux, remembered);
+    if (share > 0)
+        map_faces(
+            flux, [share](double f, double r) { return f + share * r; }, flux, remembered);
 }
 
 void take_off_remembered(double share, core::View<const double> remembered, core::View<double> outflow)
 {
-    if (share > 0) map_cells(outflow, [share](double now, double left) { return now - share * left; }, outflow, remembered);
+    if (share > 0)
+        map_cells(
+            outflow, [share](double now, double left) { return now - share * left; }, outflow, remembered);
 }
 
 } // namespace physics

@@ -10,8 +10,12 @@ namespace {
 struct MatrixRow {
     const double *xx, *xy, *xz, *yy, *yz, *zz;
     MatrixRow(const core::GradientMatrices& m, int j, int k)
-        : xx(m.xx.view().row(j, k)), xy(m.xy.view().row(j, k)), xz(m.xz.view().row(j, k)), yy(m.yy.view().row(j, k)),
-          yz(m.yz.view().row(j, k)), zz(m.zz.view().row(j, k))
+        : xx(m.xx.view().row(j, k)),
+          xy(m.xy.view().row(j, k)),
+          xz(m.xz.view().row(j, k)),
+          yy(m.yy.view().row(j, k)),
+          yz(m.yz.view().row(j, k)),
+          zz(m.zz.view().row(j, k))
     {
     }
 };

@@ -16,12 +16,12 @@ inline void hermite_weights(double s, double* w, std::ptrdiff_t stride)
     const double t = std::abs(s), t2 = t * t, t3 = t2 * t;
     const double near_value = 1 - 3 * t2 + 2 * t3, far_value = 3 * t2 - 2 * t3;
     const double near_slope = (t - 2 * t2 + t3) / 12, far_slope = (t3 - t2) / 12;
-    const double a = near_slope;                  // two before
-    const double b = far_slope - 8 * near_slope;  // one before
-    const double c = near_value - 8 * far_slope;  // the near point
-    const double d = far_value + 8 * near_slope;  // the far point
-    const double e = 8 * far_slope - near_slope;  // one behind
-    const double f = -far_slope;                  // two behind
+    const double a = near_slope;                 // two before
+    const double b = far_slope - 8 * near_slope; // one before
+    const double c = near_value - 8 * far_slope; // the near point
+    const double d = far_value + 8 * near_slope; // the far point
+    const double e = 8 * far_slope - near_slope; // one behind
+    const double f = -far_slope;                 // two behind
     const bool up = s >= 0;
     w[0] = up ? 0 : f;
     w[stride] = up ? a : e;

@@ -18,9 +18,9 @@ struct KrylovOptions {
     double relative = 1e-8; ///< of the 2-norm of the right-hand side
     double absolute = 0.0;
     int most_iterations = 200;
-    bool singular = false;          ///< constants are the null space, on both sides
-    bool from_zero = false;         ///< the first guess is zero: its residual is the right-hand side
-    double largest_defect = 1e-6;   ///< of a singular system: net source over the sum of its magnitudes
+    bool singular = false;            ///< constants are the null space, on both sides
+    bool from_zero = false;           ///< the first guess is zero: its residual is the right-hand side
+    double largest_defect = 1e-6;     ///< of a singular system: net source over the sum of its magnitudes
     std::string unknown = "pressure"; ///< for messages
 };
 
@@ -116,8 +116,8 @@ public:
 
 /// The same for any A; two operators and two preconditioners in each iteration.
 /// @source  van der Vorst, SIAM J. Sci. Stat. Comput. 13 (1992) 631, preconditioned from the right.
-[[nodiscard]] KrylovProcess bicgstab(const core::Team& team, KrylovWorkspace& work, const KrylovOptions& options,
-                                     std::span<double> right, std::span<double> x, KrylovReport& report);
+[[nodiscard]] KrylovProcess bicgstab(const core::Team& team, KrylovWorkspace& work, const KrylovOptions& options, std::span<double> right,
+                                     std::span<double> x, KrylovReport& report);
 
 /// Runs a solver on one rank. apply(in, out) and precondition(in, out) take spans of doubles.
 template <class Apply, class Precondition>

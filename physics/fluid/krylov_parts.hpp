@@ -72,17 +72,16 @@ inline void form_right_sums(const core::Team& team, BlockSums& sums, std::span<c
 
 /// Notes the norm and, of a singular system, the defect, and removes it.
 /// @throws NumericsError if the defect is more than round-off can explain.
-inline void accept_right(const core::Team& team, const KrylovWorkspace& work, const KrylovOptions& options,
-                         std::span<double> right, KrylovReport& report)
+inline void accept_right(const core::Team& team, const KrylovWorkspace& work, const KrylovOptions& options, std::span<double> right,
+                         KrylovReport& report)
 {
     const double net = work.sums.total(0), magnitude = work.sums.total(1);
     report.right_norm = std::sqrt(work.sums.total(2));
     if (!options.singular) return;
     report.defect = magnitude > 0.0 ? std::abs(net) / magnitude : 0.0;
-    core::require<core::NumericsError>(
-        report.defect <= options.largest_defect || report.right_norm <= options.absolute,
-        core::text("solver of ", options.unknown, ": closed domain with a net source of ", net, " against magnitudes of ",
-                   magnitude, ": the sum over all cells must vanish"));
+    core::require<core::NumericsError>(report.defect <= options.largest_defect || report.right_norm <= options.absolute,
+                                       core::text("solver of ", options.unknown, ": closed domain with a net source of ", net,
+                                                  " against magnitudes of ", magnitude, ": the sum over all cells must vanish"));
     for_cells(team, *work.layout, [b = right.data(), mean = net / double(work.all_cells)](Flat c) { b[c] -= mean; });
 }
 

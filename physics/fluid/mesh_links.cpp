@@ -78,9 +78,10 @@ void spreading(const core::BlockGeometry& geometry, core::FaceView<double> out)
 {
     for (int axis = 0; axis < 3; ++axis) {
         const core::FaceMetrics& f = geometry.face[std::size_t(axis)];
-        map_cells(out.along(axis),
-                  [](double x, double y, double z, double t, double inverse_square) { return (x * x + y * y + z * z) / t * inverse_square; },
-                  f.area_x.view(), f.area_y.view(), f.area_z.view(), f.transmissibility.view(), f.inverse_square.view());
+        map_cells(
+            out.along(axis),
+            [](double x, double y, double z, double t, double inverse_square) { return (x * x + y * y + z * z) / t * inverse_square; },
+            f.area_x.view(), f.area_y.view(), f.area_z.view(), f.transmissibility.view(), f.inverse_square.view());
     }
 }
 

@@ -18,7 +18,8 @@ struct MeshLinks {
 /// every rank, so that its bits do not depend on the number of ranks.
 /// @param gives_value  Is the unknown given on this boundary? Asked for those of this rank; elsewhere nothing flows.
 [[nodiscard]] MeshLinks make_mesh_links(
-    const core::Mesh& mesh, int rank, const std::function<bool(const core::Boundary&)>& gives_value = [](const core::Boundary&) { return false; });
+    const core::Mesh& mesh, int rank,
+    const std::function<bool(const core::Boundary&)>& gives_value = [](const core::Boundary&) { return false; });
 
 /// Two-point transmissibilities (S . d) / |d|^2 of the faces, for diffusion without cross terms: on skewed cells, too, it
 /// spreads a quantity over the right mean square distance, that is with the right trace of its second moment.

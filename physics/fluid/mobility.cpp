@@ -23,13 +23,15 @@ void face_mobility(core::View<const double> mobility, core::FaceView<double> fac
 
 void scale_by_mobility(core::FaceView<const double> mobility, core::FaceView<double> flux)
 {
-    map_faces(flux, [](double f, double m) { return f * m; }, flux, mobility);
+    map_faces(
+        flux, [](double f, double m) { return f * m; }, flux, mobility);
 }
 
 void transmissibility(const core::BlockGeometry& geometry, core::FaceView<double> out)
 {
     for (int axis = 0; axis < 3; ++axis)
-        map_cells(out.along(axis), [](double t) { return t; }, geometry.face[std::size_t(axis)].transmissibility.view());
+        map_cells(
+            out.along(axis), [](double t) { return t; }, geometry.face[std::size_t(axis)].transmissibility.view());
 }
 
 std::vector<LinkFace> link_faces(const core::Mesh& mesh, const MeshLinks& links)

@@ -25,8 +25,7 @@ void for_each_wall_face(const core::BlockGeometry& geometry, const BlockWalls& w
 core::Vec3 volume_sum(const core::BlockGeometry& geometry, core::VectorView<const double> q)
 {
     core::Vec3 sum;
-    for (int c = 0; c < 3; ++c)
-        sum[c] = sum_cells([](double v, double x) { return v * x; }, geometry.volume.view(), q.component(c));
+    for (int c = 0; c < 3; ++c) sum[c] = sum_cells([](double v, double x) { return v * x; }, geometry.volume.view(), q.component(c));
     return sum;
 }
 

@@ -39,12 +39,13 @@ struct MomentumBudget {
 
 /// Flux of grad u, times factors, through the boundaries of a block into its cells; times density and viscosity, the friction on the
 /// fluid [m2/s].
-[[nodiscard]] core::Vec3 wall_friction(const core::BlockGeometry& geometry, const BlockWalls& walls, core::VectorView<const double> velocity,
-                                       const FaceFactors& factors = {});
+[[nodiscard]] core::Vec3 wall_friction(const core::BlockGeometry& geometry, const BlockWalls& walls,
+                                       core::VectorView<const double> velocity, const FaceFactors& factors = {});
 
 /// What the boundaries of a block push the fluid with, its pressure taken as that of the cells beside them where it is not given [N].
 /// @param share  Of the given pressure that acts: 1 for the pressure, 0 for a change of it.
-[[nodiscard]] core::Vec3 wall_push(const core::BlockGeometry& geometry, const BlockWalls& walls, core::View<const double> pressure, double share);
+[[nodiscard]] core::Vec3 wall_push(const core::BlockGeometry& geometry, const BlockWalls& walls, core::View<const double> pressure,
+                                   double share);
 
 /// Sum of flux * velocity through the boundaries of a block, inward; times dt, the momentum that flows in [m4/s2].
 [[nodiscard]] core::Vec3 through_flow(const core::BlockGeometry& geometry, const BlockWalls& walls, core::FaceView<const double> flux,

@@ -195,8 +195,7 @@ double power_of_two_scale(double largest)
     return std::ldexp(1.0, -std::ilogb(largest));
 }
 
-void run_steps(const core::Team& team, const core::Communicator& communicator, Multigrid& multigrid,
-               std::span<const MultigridStep> steps)
+void run_steps(const core::Team& team, const core::Communicator& communicator, Multigrid& multigrid, std::span<const MultigridStep> steps)
 {
     for (const auto& step : steps) {
         if (!step.sends()) {

@@ -14,22 +14,37 @@
 namespace physics {
 
 struct MultigridOptions {
-    int coarsest_cells = 400;      ///< solved directly below this number
-    int replicated_cells = 16384;  ///< levels of at most this size are computed by every rank: less than a message costs
+    int coarsest_cells = 400;     ///< solved directly below this number
+    int replicated_cells = 16384; ///< levels of at most this size are computed by every rank: less than a message costs
     Smoother smoother = Smoother::automatic;
-    double spectrum_ratio = 8.0;   ///< the smoother damps the eigenvalues from 2 / ratio to 2
-    bool shifted = false;          ///< the operator has a shift
-    bool singular = true;          ///< no shift and no wall that holds the unknown
+    double spectrum_ratio = 8.0; ///< the smoother damps the eigenvalues from 2 / ratio to 2
+    bool shifted = false;        ///< the operator has a shift
+    bool singular = true;        ///< no shift and no wall that holds the unknown
 };
 
 /// Part of the set-up or of a cycle. A step that sends is started, and completed when its messages have arrived.
 struct MultigridStep {
     enum class Kind {
-        prepare_level, end_resistances, coarsen, finish_links, factorise,                     // set-up
-        send_resistances, send_coefficients,                                                  // set-up, messages
-        smooth_from_zero, smooth_second, residual, gather_children, share_inside, share_over_links, // cycle, down
-        coarsest, prolong_up, smooth_first,                                                   // cycle, up
-        send_solution, send_other, send_parts, send_right                                     // cycle, messages
+        prepare_level,
+        end_resistances,
+        coarsen,
+        finish_links,
+        factorise, // set-up
+        send_resistances,
+        send_coefficients, // set-up, messages
+        smooth_from_zero,
+        smooth_second,
+        residual,
+        gather_children,
+        share_inside,
+        share_over_links, // cycle, down
+        coarsest,
+        prolong_up,
+        smooth_first, // cycle, up
+        send_solution,
+        send_other,
+        send_parts,
+        send_right // cycle, messages
     };
     Kind kind;
     int level;
@@ -94,7 +109,6 @@ private:
 [[nodiscard]] double power_of_two_scale(double largest);
 
 /// Runs all steps and waits for messages on the spot: for one rank, and for set-ups outside the task graph. Collective.
-void run_steps(const core::Team& team, const core::Communicator& communicator, Multigrid& multigrid,
-               std::span<const MultigridStep> steps);
+void run_steps(const core::Team& team, const core::Communicator& communicator, Multigrid& multigrid, std::span<const MultigridStep> steps);
 
 } // namespace physics

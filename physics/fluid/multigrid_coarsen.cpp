@@ -16,7 +16,10 @@ struct Pair {
     std::array<std::ptrdiff_t, 3> stride;
 
     Pair(const MultigridLevel& f, core::LocalBlock b)
-        : fine(f), block(b), cells(f.mesh.layout.cells(b)), origin(f.mesh.layout.origin(b)),
+        : fine(f),
+          block(b),
+          cells(f.mesh.layout.cells(b)),
+          origin(f.mesh.layout.origin(b)),
           stride{1, cells.ni, std::ptrdiff_t(cells.ni) * cells.nj}
     {
     }
@@ -39,10 +42,7 @@ struct Conductor {
 };
 
 /// Bounded so that no parent gets a negative weight: three differences add up in a child.
-float transfer_weight(float share, float conductance)
-{
-    return conductance > 0.0F ? std::min(share / conductance, 1.0F / 3.0F) : 0.0F;
-}
+float transfer_weight(float share, float conductance) { return conductance > 0.0F ? std::min(share / conductance, 1.0F / 3.0F) : 0.0F; }
 
 Conductor coarse_face(const Pair& p, int axis, core::Index3 coarse)
 {

@@ -65,5 +65,4 @@ void tie_levels(MultigridLevel& fine, MultigridLevel& coarse)
     make_transfer(coarse);
 }
 
-
 } // namespace physics

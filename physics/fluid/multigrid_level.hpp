@@ -29,28 +29,28 @@ struct MultigridLevel {
 
     LevelMesh mesh;
     SevenPoint<float> matrix;
-    std::vector<LineAxis> axis;  ///< of each block
-    bool has_lines = false;      ///< some block has an axis
-    std::vector<float> inverse;  ///< 1 / diagonal, or 1 / pivot of the line factorisation
+    std::vector<LineAxis> axis;                       ///< of each block
+    bool has_lines = false;                           ///< some block has an axis
+    std::vector<float> inverse;                       ///< 1 / diagonal, or 1 / pivot of the line factorisation
     std::vector<std::array<float, 2>> end_resistance; ///< of each link: half a cell of the next level, at either end
     std::vector<float> right, residual, direction, solution, other;
     /// How much of the difference to the neighbour beyond each side (see core::Side) the children next to it take.
     std::array<std::vector<float>, 6> weight;
-    std::vector<float> half_weight;               ///< the same for what lies beyond a half link
-    std::array<std::vector<float>, 6> side_part;  ///< residual that goes to the neighbour beyond each side
-    std::vector<float> half_part;                 ///< residual that goes beyond a half link
-    std::vector<float> half_received;             ///< the same from partners on other ranks
-    std::vector<SideChildren> side_children;      ///< of each run whose block has a finer one here
-    std::vector<int> owner;        ///< rank of each block, only on the first level that every rank holds as a whole
-    std::vector<int> fine_block;   ///< block of the next finer level, -1 where that is not on this rank
-    std::vector<int> coarse_block; ///< block of the next coarser level
+    std::vector<float> half_weight;              ///< the same for what lies beyond a half link
+    std::array<std::vector<float>, 6> side_part; ///< residual that goes to the neighbour beyond each side
+    std::vector<float> half_part;                ///< residual that goes beyond a half link
+    std::vector<float> half_received;            ///< the same from partners on other ranks
+    std::vector<SideChildren> side_children;     ///< of each run whose block has a finer one here
+    std::vector<int> owner;                      ///< rank of each block, only on the first level that every rank holds as a whole
+    std::vector<int> fine_block;                 ///< block of the next finer level, -1 where that is not on this rank
+    std::vector<int> coarse_block;               ///< block of the next coarser level
 
     [[nodiscard]] std::size_t bytes() const
     {
         const auto of = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
-        std::size_t sum = of(matrix.shift) + of(matrix.link) + of(matrix.half) + of(inverse) + of(end_resistance) + of(right)
-                        + of(residual) + of(direction) + of(solution) + of(other) + of(mesh.links) + of(mesh.halves)
-                        + of(mesh.half_of) + of(mesh.runs) + of(mesh.coarse_link);
+        std::size_t sum = of(matrix.shift) + of(matrix.link) + of(matrix.half) + of(inverse) + of(end_resistance) + of(right) +
+                          of(residual) + of(direction) + of(solution) + of(other) + of(mesh.links) + of(mesh.halves) + of(mesh.half_of) +
+                          of(mesh.runs) + of(mesh.coarse_link);
         for (const auto& f : matrix.face) sum += of(f);
         for (std::size_t n = 0; n < 6; ++n) sum += of(weight[n]) + of(side_part[n]);
         sum += of(half_weight) + of(half_part) + of(half_received) + of(side_children);

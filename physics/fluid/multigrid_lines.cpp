@@ -94,8 +94,7 @@ void factorise_lines(const Piece& piece, MultigridLevel& level)
         for (int n = 1; n < g.length; ++n)
             for (auto c = begin + n * g.stride, end = c + g.width; c < end; ++c) w[c] += tie(t[c], w[c - g.stride]);
         for (int n = 0; n < g.length; ++n)
-            for (auto c = begin + n * g.stride, end = c + g.width; c < end; ++c)
-                w[c] = inverse_or_zero(t[c + g.stride] + w[c]);
+            for (auto c = begin + n * g.stride, end = c + g.width; c < end; ++c) w[c] = inverse_or_zero(t[c + g.stride] + w[c]);
     }
 }
 

@@ -130,8 +130,7 @@ std::vector<BlockLink> canonical_links(const std::vector<BlockLink>& links, std:
         turned.push_back(ordered(links[l]));
         if (!links_with_itself(turned.back())) source.push_back(int(l));
     }
-    std::stable_sort(source.begin(), source.end(),
-                     [&](int l, int r) { return before(turned[std::size_t(l)], turned[std::size_t(r)]); });
+    std::stable_sort(source.begin(), source.end(), [&](int l, int r) { return before(turned[std::size_t(l)], turned[std::size_t(r)]); });
     std::vector<BlockLink> result;
     for (int l : source) result.push_back(turned[std::size_t(l)]);
     return result;

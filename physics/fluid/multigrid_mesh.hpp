@@ -34,24 +34,24 @@ struct CoarseLink {
 /// Values that this rank sends to, and ghosts that it receives from, one other rank.
 struct GhostExchange {
     int rank = 0;
-    std::vector<int> send;     ///< flat places
+    std::vector<int> send;      ///< flat places
     std::ptrdiff_t receive = 0; ///< flat place of the first ghost
     int ghosts = 0;
-    std::vector<int> links;    ///< links between the two ranks, same order on both
+    std::vector<int> links; ///< links between the two ranks, same order on both
 };
 
 struct LevelMesh {
     LevelMesh(BlockLayout cells, std::vector<BlockLink> between) : layout(std::move(cells)), links(std::move(between)) {}
 
     BlockLayout layout;
-    std::vector<BlockLink> links;             ///< low end first, sorted
-    std::vector<HalfLink> halves;             ///< sorted by cell, side, and what lies beyond
-    std::vector<int> piece_halves;            ///< first half of each piece of the layout, and the end
-    std::vector<std::array<int, 2>> half_of;  ///< halves of the two ends of a link, -1 where not on this rank
-    std::vector<SideRun> runs;                ///< sorted by block
-    std::vector<int> block_runs;              ///< first run of each block, and the end
-    std::vector<CoarseLink> coarse_link;      ///< of each link; empty on the coarsest level
-    std::vector<GhostExchange> exchanges;     ///< sorted by rank
+    std::vector<BlockLink> links;            ///< low end first, sorted
+    std::vector<HalfLink> halves;            ///< sorted by cell, side, and what lies beyond
+    std::vector<int> piece_halves;           ///< first half of each piece of the layout, and the end
+    std::vector<std::array<int, 2>> half_of; ///< halves of the two ends of a link, -1 where not on this rank
+    std::vector<SideRun> runs;               ///< sorted by block
+    std::vector<int> block_runs;             ///< first run of each block, and the end
+    std::vector<CoarseLink> coarse_link;     ///< of each link; empty on the coarsest level
+    std::vector<GhostExchange> exchanges;    ///< sorted by rank
 };
 
 /// Ends of every link in order, links sorted; links of a cell with itself are left out.

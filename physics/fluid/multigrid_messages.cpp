@@ -105,9 +105,8 @@ void LevelMessages::complete_resistances(MultigridLevel& level) const
 
 void LevelMessages::start_parts(const MultigridLevel& level, const core::Communicator& communicator, core::Pending& pending)
 {
-    start_links(level, communicator, pending, [&](int link, std::size_t end) {
-        return level.half_part[std::size_t(level.mesh.half_of[std::size_t(link)][end])];
-    });
+    start_links(level, communicator, pending,
+                [&](int link, std::size_t end) { return level.half_part[std::size_t(level.mesh.half_of[std::size_t(link)][end])]; });
 }
 
 void LevelMessages::complete_parts(MultigridLevel& level) const

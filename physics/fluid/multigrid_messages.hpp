@@ -26,7 +26,8 @@ public:
         prepare(mesh.exchanges.size());
         for (std::size_t n = 0; n < mesh.exchanges.size(); ++n) {
             const auto& e = mesh.exchanges[n];
-            communicator.receive(std::as_writable_bytes(values.subspan(std::size_t(e.receive), std::size_t(e.ghosts))), e.rank, tag, pending);
+            communicator.receive(std::as_writable_bytes(values.subspan(std::size_t(e.receive), std::size_t(e.ghosts))), e.rank, tag,
+                                 pending);
             auto& buffer = send_[n];
             buffer.resize(e.send.size() * sizeof(Real));
             auto* out = buffer.data(); // bytes: not aligned as a Real may have to be

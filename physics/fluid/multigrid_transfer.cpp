@@ -20,8 +20,8 @@ Near near(int n, int coarse)
 
 /// One row of a coarse level: values and weights of the parents, values of the neighbours along j and k.
 struct CoarseRow {
-    const float *parent, *low, *high;        // values, weights towards i_low and i_high
-    const float *beyond_j, *beyond_k;        // values of the nearest neighbours
+    const float *parent, *low, *high; // values, weights towards i_low and i_high
+    const float *beyond_j, *beyond_k; // values of the nearest neighbours
     const float *weight_j, *weight_k;
     [[nodiscard]] float across(int c) const { return weight_j[c] * (beyond_j[c] - parent[c]) + weight_k[c] * (beyond_k[c] - parent[c]); }
 };
@@ -75,8 +75,8 @@ void sum_children(const Piece& piece, const MultigridLevel& fine, core::LocalBlo
         auto& part = coarse.side_part;
         for (int kk = k; kk < std::min(k + 2, below.nk); ++kk)
             for (int jj = j; jj < std::min(j + 2, below.nj); ++jj)
-                ChildSums{coarse.right.data() + at, part[0].data() + at, part[1].data() + at,
-                          part[std::size_t(2 + jj % 2)].data() + at, part[std::size_t(4 + kk % 2)].data() + at}
+                ChildSums{coarse.right.data() + at, part[0].data() + at, part[1].data() + at, part[std::size_t(2 + jj % 2)].data() + at,
+                          part[std::size_t(4 + kk % 2)].data() + at}
                     .add(below.ni, r + std::ptrdiff_t(below.ni) * (jj + std::ptrdiff_t(below.nj) * kk));
     }
     for (std::size_t side = 0; side < 6; ++side) {
@@ -96,8 +96,7 @@ void sum_beside_links(const MultigridLevel& fine, core::LocalBlock block, Multig
         const auto& children = coarse.side_children[std::size_t(n)];
         float sum = 0.0F;
         for (int c = 0; c < children.count; ++c) sum += fine.residual[std::size_t(children.at[std::size_t(c)])];
-        for (int h = run.first; h < run.last; ++h)
-            coarse.half_part[std::size_t(h)] = coarse.half_weight[std::size_t(h)] * sum;
+        for (int h = run.first; h < run.last; ++h) coarse.half_part[std::size_t(h)] = coarse.half_weight[std::size_t(h)] * sum;
     }
 }
 
@@ -110,8 +109,8 @@ void correct_beside_links(const MultigridLevel& coarse, core::LocalBlock block, 
         float change = 0.0F;
         for (int h = run.first; h < run.last; ++h) {
             const auto& half = mesh.halves[std::size_t(h)];
-            change += coarse.half_weight[std::size_t(h)]
-                    * (coarse.solution[std::size_t(half.other)] - coarse.solution[std::size_t(half.cell)]);
+            change +=
+                coarse.half_weight[std::size_t(h)] * (coarse.solution[std::size_t(half.other)] - coarse.solution[std::size_t(half.cell)]);
         }
         const auto& children = coarse.side_children[std::size_t(n)];
         for (int c = 0; c < children.count; ++c) x[std::size_t(children.at[std::size_t(c)])] += change;
@@ -122,9 +121,8 @@ void correct_beside_links(const MultigridLevel& coarse, core::LocalBlock block, 
 
 void compute_residual(const core::Team& team, MultigridLevel& level)
 {
-    level.mesh.layout.for_pieces(team, [&](int n) {
-        residual(level.mesh, level.matrix, n, level.right.data(), level.solution.data(), level.residual.data());
-    });
+    level.mesh.layout.for_pieces(
+        team, [&](int n) { residual(level.mesh, level.matrix, n, level.right.data(), level.solution.data(), level.residual.data()); });
 }
 
 void gather_children(const core::Team& team, const MultigridLevel& fine, MultigridLevel& coarse)
@@ -191,9 +189,7 @@ void prolong_correction(const core::Team& team, const MultigridLevel& coarse, Mu
                         fine.solution.data() + layout.origin(piece.block) + std::ptrdiff_t(row) * cells.ni);
         }
     });
-    team.run(layout.blocks(), [&](int b) {
-        correct_beside_links(coarse, fine.coarse_block[std::size_t(b)], fine.solution);
-    });
+    team.run(layout.blocks(), [&](int b) { correct_beside_links(coarse, fine.coarse_block[std::size_t(b)], fine.solution); });
 }
 
 } // namespace physics

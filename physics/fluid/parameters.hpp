@@ -10,9 +10,9 @@ namespace physics {
 
 /// How exactly the linear systems of a step are solved.
 struct FluidTolerances {
-    double pressure = 1e-6;         ///< net volume flux of a cell over the flux through it, root mean square
-    double pressure_change = 1e-2;  ///< net volume flux of a cell over that before the projection: keeps small steps accurate
-    double viscosity = 1e-8;        ///< residual over the viscous change of velocity
+    double pressure = 1e-6;        ///< net volume flux of a cell over the flux through it, root mean square
+    double pressure_change = 1e-2; ///< net volume flux of a cell over that before the projection: keeps small steps accurate
+    double viscosity = 1e-8;       ///< residual over the viscous change of velocity
     int most_iterations = 200;
 
     /// What the pressure solver may leave of the net outflow; both as 2-norms over the cells [m3/s].
@@ -25,8 +25,8 @@ struct FluidTolerances {
 };
 
 struct FluidParameters {
-    double density = 1000;            ///< [kg/m3]
-    double viscosity = 1e-6;          ///< kinematic [m2/s]; 0 leaves all viscous stages out
+    double density = 1000;   ///< [kg/m3]
+    double viscosity = 1e-6; ///< kinematic [m2/s]; 0 leaves all viscous stages out
     Drive drive = ConstantDrive{};
     BoundaryConditions boundaries;
     FluidTolerances tolerances;

@@ -14,8 +14,8 @@ void add_pressure_smoothing_along(const core::FaceMetrics& face, int axis, doubl
     const std::ptrdiff_t back = gradient.x.stride(axis);
     for (int k = 0; k < n.nk; ++k)
         for (int j = 0; j < n.nj; ++j) {
-            const double *w = face.weight.view().row(j, k), *t = face.transmissibility.view().row(j, k),
-                         *sx = face.area_x.view().row(j, k), *sy = face.area_y.view().row(j, k), *sz = face.area_z.view().row(j, k);
+            const double *w = face.weight.view().row(j, k), *t = face.transmissibility.view().row(j, k), *sx = face.area_x.view().row(j, k),
+                         *sy = face.area_y.view().row(j, k), *sz = face.area_z.view().row(j, k);
             const double *gx = gradient.x.row(j, k), *gy = gradient.y.row(j, k), *gz = gradient.z.row(j, k), *c = compact.row(j, k);
             double* f = flux.row(j, k);
 #pragma omp simd
@@ -40,8 +40,8 @@ void add_pressure_smoothing(const core::BlockGeometry& geometry, const BlockWall
     pressure_wall_flux(geometry, walls, pressure, scratch);
     set_joined_aside(geometry, scratch, flux);
     for (int axis = 0; axis < 3; ++axis)
-        add_pressure_smoothing_along(geometry.face[std::size_t(axis)], axis, mobility, diffusion, pressure_gradient,
-                                     scratch.along(axis), flux.along(axis));
+        add_pressure_smoothing_along(geometry.face[std::size_t(axis)], axis, mobility, diffusion, pressure_gradient, scratch.along(axis),
+                                     flux.along(axis));
     smooth_joined_pressure(geometry, {mobility, diffusion}, pressure, pressure_gradient, scratch, flux);
 }
 
@@ -50,7 +50,8 @@ void correct_flux(const core::BlockGeometry& geometry, const BlockWalls& walls, 
 {
     gradient_flux(geometry, psi, psi_gradient, scratch);
     pressure_wall_flux(geometry, walls, psi, scratch);
-    map_faces(flux, [](double f, double s) { return f - s; }, flux, scratch);
+    map_faces(
+        flux, [](double f, double s) { return f - s; }, flux, scratch);
 }
 
 } // namespace physics

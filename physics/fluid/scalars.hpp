@@ -13,8 +13,8 @@ namespace physics {
 
 struct ScalarParameters {
     std::string name;
-    double diffusivity = 0;                ///< [m2/s]
-    double initial = 0;                    ///< everywhere
+    double diffusivity = 0;                   ///< [m2/s]
+    double initial = 0;                       ///< everywhere
     std::map<std::string, double> entering{}; ///< value of what flows in, by boundary; elsewhere that of the cells inside
 };
 
@@ -37,8 +37,7 @@ struct ScalarSet {
         : share({"share of the carrier", "1", 0, true}, mesh.own_cells())
     {
         share.allocate();
-        for (core::LocalBlock b = 0; b < mesh.own_count(); ++b)
-            std::fill(share.data(b, 0).begin(), share.data(b, 0).end(), 1.0);
+        for (core::LocalBlock b = 0; b < mesh.own_count(); ++b) std::fill(share.data(b, 0).begin(), share.data(b, 0).end(), 1.0);
         for (const ScalarParameters& scalar : scalars) {
             values.emplace_back(core::FieldInfo{scalar.name, "", 1, true}, mesh.own_cells());
             values.back().allocate();
@@ -48,7 +47,7 @@ struct ScalarSet {
     }
 
     std::deque<core::ScalarField> values; ///< in the order of their parameters; a deque: fields are known by their address
-    core::ScalarField share; ///< w: 1, or the fluid fraction, to what the solver of the pressure leaves [-]
+    core::ScalarField share;              ///< w: 1, or the fluid fraction, to what the solver of the pressure leaves [-]
 };
 
 } // namespace physics

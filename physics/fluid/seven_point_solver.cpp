@@ -7,9 +7,10 @@
 
 namespace physics {
 
-SevenPointSolver::SevenPointSolver(const BlockTopology& topology, const MultigridOptions& options,
-                                   const core::Communicator& communicator)
-    : communicator_(communicator), multigrid_(topology, options, communicator), matrix_(make_seven_point<double>(multigrid_.mesh(), options.shifted)),
+SevenPointSolver::SevenPointSolver(const BlockTopology& topology, const MultigridOptions& options, const core::Communicator& communicator)
+    : communicator_(communicator),
+      multigrid_(topology, options, communicator),
+      matrix_(make_seven_point<double>(multigrid_.mesh(), options.shifted)),
       workspace_(multigrid_.mesh().layout, int(topology.cells.size()), cell_count(topology))
 {
 }
@@ -41,14 +42,13 @@ void SevenPointSolver::precondition(const core::Team& team, std::span<const doub
     multigrid_.store_solution(team, out);
 }
 
-KrylovReport SevenPointSolver::solve(const core::Team& team, const KrylovOptions& options, std::span<double> right,
-                                     std::span<double> x)
+KrylovReport SevenPointSolver::solve(const core::Team& team, const KrylovOptions& options, std::span<double> right, std::span<double> x)
 {
     expect_right(largest_magnitude(layout(), right));
     KrylovReport report;
     drive(
-        flexible_cg(team, workspace_, options, right, x, report),
-        [&](auto in, auto out) { apply(team, in, out); }, [&](auto in, auto out) { precondition(team, in, out); });
+        flexible_cg(team, workspace_, options, right, x, report), [&](auto in, auto out) { apply(team, in, out); },
+        [&](auto in, auto out) { precondition(team, in, out); });
     return report;
 }
 

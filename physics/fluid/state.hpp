@@ -11,9 +11,9 @@ namespace physics {
 
 /// Time, step sizes and the state of the drive.
 struct FluidClock {
-    double time = 0;      ///< of the velocity [s]
-    double dt = 0;        ///< of the step that is being made, set before it [s]
-    double dt_before = 0; ///< of the last step; 0 before the first [s]
+    double time = 0;        ///< of the velocity [s]
+    double dt = 0;          ///< of the step that is being made, set before it [s]
+    double dt_before = 0;   ///< of the last step; 0 before the first [s]
     double memory_time = 0; ///< that faces remember fluxes for: the longest of the recent steps [s]
     std::int64_t step = 0;
     /// Steps made since the forcing jumped. After a jump two steps treat viscosity fully implicitly, so that nothing rings.
@@ -24,7 +24,10 @@ struct FluidClock {
     /// Weight of the new time in the viscous term.
     [[nodiscard]] double implicit_share() const { return steps_since_jump < 2 ? 1.0 : 0.5; }
     /// Weight of (velocity - velocity before) for the velocity at the middle of the step, at most 1.
-    [[nodiscard]] double extrapolation() const { return dt_before > 0 && dt < 2 * dt_before ? 0.5 * dt / dt_before : dt_before > 0 ? 1.0 : 0.0; }
+    [[nodiscard]] double extrapolation() const
+    {
+        return dt_before > 0 && dt < 2 * dt_before ? 0.5 * dt / dt_before : dt_before > 0 ? 1.0 : 0.0;
+    }
     /// Share of what faces remember that outlives the step: none unless steps were longer a while ago (see flux_memory.hpp).
     [[nodiscard]] double memory() const { return dt < memory_time ? 1.0 - dt / memory_time : 0.0; }
     /// The step has been made.
@@ -44,7 +47,8 @@ struct FluidState {
     explicit FluidState(const core::Mesh& mesh)
         : velocity({"velocity", "m/s", 3, true, true}, mesh.own_cells()),
           velocity_before({"velocity before", "m/s", 1, true}, mesh.own_cells()),
-          pressure({"pressure", "Pa", 1, true}, mesh.own_cells()), flux({"volume flux", "m3/s", 0, true}, mesh.own_cells())
+          pressure({"pressure", "Pa", 1, true}, mesh.own_cells()),
+          flux({"volume flux", "m3/s", 0, true}, mesh.own_cells())
     {
     }
 

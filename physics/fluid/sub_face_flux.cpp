@@ -48,7 +48,8 @@ void sub_face_gradient_flux(const core::BlockGeometry& geometry, core::View<cons
 void sub_face_interpolated_flux(const core::BlockGeometry& geometry, core::VectorView<const double> u, core::FaceView<double> flux)
 {
     sum_up(geometry, flux, [&](const core::SubFaceMetrics& s) {
-        return s.area.x() * u.x.behind_halo(s.at_centre) + s.area.y() * u.y.behind_halo(s.at_centre) + s.area.z() * u.z.behind_halo(s.at_centre);
+        return s.area.x() * u.x.behind_halo(s.at_centre) + s.area.y() * u.y.behind_halo(s.at_centre) +
+               s.area.z() * u.z.behind_halo(s.at_centre);
     });
 }
 

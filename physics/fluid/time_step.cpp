@@ -12,8 +12,12 @@ namespace {
 class IndexVelocityRow {
 public:
     IndexVelocityRow(const core::BlockGeometry& geometry, core::VectorView<const double> u, int m, int j, int k)
-        : ax_(geometry.inverse_jacobian[std::size_t(m)][0].view().row(j, k)), ay_(geometry.inverse_jacobian[std::size_t(m)][1].view().row(j, k)),
-          az_(geometry.inverse_jacobian[std::size_t(m)][2].view().row(j, k)), x_(u.x.row(j, k)), y_(u.y.row(j, k)), z_(u.z.row(j, k))
+        : ax_(geometry.inverse_jacobian[std::size_t(m)][0].view().row(j, k)),
+          ay_(geometry.inverse_jacobian[std::size_t(m)][1].view().row(j, k)),
+          az_(geometry.inverse_jacobian[std::size_t(m)][2].view().row(j, k)),
+          x_(u.x.row(j, k)),
+          y_(u.y.row(j, k)),
+          z_(u.z.row(j, k))
     {
     }
     [[nodiscard]] double operator()(int i) const { return ax_[i] * x_[i] + ay_[i] * y_[i] + az_[i] * z_[i]; }

@@ -34,8 +34,8 @@ struct TransportRates {
 
 struct TimeStepOptions {
     double largest = std::numeric_limits<double>::infinity(); ///< [s]
-    double displacement = 0.9; ///< cells per step; the stencils reach one cell
-    double distortion = 0.5;   ///< below 1 trajectories do not cross
+    double displacement = 0.9;                                ///< cells per step; the stencils reach one cell
+    double distortion = 0.5;                                  ///< below 1 trajectories do not cross
 };
 
 struct TimeStepLimit {

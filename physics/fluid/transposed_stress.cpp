@@ -22,7 +22,8 @@ void flux_along(const TransposedStress& stress, int axis, int c, core::View<doub
 #pragma omp simd
             for (int i = 0; i < n.ni; ++i) {
                 const double b = w[i], a = 1 - b;
-                f[i] = (r[i] - 1) * (sx[i] * (b * x[i] + a * x[i - back]) + sy[i] * (b * y[i] + a * y[i - back]) + sz[i] * (b * z[i] + a * z[i - back]));
+                f[i] = (r[i] - 1) *
+                       (sx[i] * (b * x[i] + a * x[i - back]) + sy[i] * (b * y[i] + a * y[i - back]) + sz[i] * (b * z[i] + a * z[i - back]));
             }
         }
 }
@@ -31,7 +32,8 @@ void add_inflow(const core::BlockGeometry& geometry, double factor, core::FaceVi
 {
     const auto volume = geometry.volume.view();
     core::for_each_cell(geometry.cells, [&](int i, int j, int k) {
-        const double net = (flux.i(i + 1, j, k) - flux.i(i, j, k)) + (flux.j(i, j + 1, k) - flux.j(i, j, k)) + (flux.k(i, j, k + 1) - flux.k(i, j, k));
+        const double net =
+            (flux.i(i + 1, j, k) - flux.i(i, j, k)) + (flux.j(i, j + 1, k) - flux.j(i, j, k)) + (flux.k(i, j, k + 1) - flux.k(i, j, k));
         out(i, j, k) += factor * net / volume(i, j, k);
     });
 }
@@ -44,7 +46,8 @@ void add_transposed_stress(const TransposedStress& stress, double time, core::Fa
         for (int axis = 0; axis < 3; ++axis) flux_along(stress, axis, c, scratch.along(axis));
         for (const core::Side side : core::all_sides)
             if (stress.walls.at(side).kind)
-                for_each_side_face(stress.geometry.cells, side, [&](int i, int j, int k) { scratch.along(core::axis_of(side))(i, j, k) = 0; });
+                for_each_side_face(stress.geometry.cells, side,
+                                   [&](int i, int j, int k) { scratch.along(core::axis_of(side))(i, j, k) = 0; });
         add_inflow(stress.geometry, time * stress.viscosity, scratch, out.component(c));
     }
 }

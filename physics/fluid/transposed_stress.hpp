@@ -11,9 +11,9 @@ namespace physics {
 struct TransposedStress {
     const core::BlockGeometry& geometry;
     const BlockWalls& walls;
-    double viscosity;                                      ///< nu [m2/s]
+    double viscosity;                                        ///< nu [m2/s]
     std::array<core::VectorView<const double>, 3> gradients; ///< of the components of velocity, one halo layer [1/s]
-    core::FaceView<const double> ratio;                    ///< nu' / nu
+    core::FaceView<const double> ratio;                      ///< nu' / nu
 };
 
 /// out += time * acceleration. On boundaries it is zero: along walls nothing changes, and the layer at a wall has its friction whole.

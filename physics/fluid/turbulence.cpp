@@ -21,8 +21,8 @@ void ratio_along(const core::FaceMetrics& face, int axis, double viscosity, core
 }
 
 /// Production and dissipation beside walls; of several walls the mean.
-void set_wall_layers(const BlockWalls& sides, const WallsOfTurbulence& walls, core::VectorView<const double> velocity, TurbulenceCells cells,
-                     core::View<double> free)
+void set_wall_layers(const BlockWalls& sides, const WallsOfTurbulence& walls, core::VectorView<const double> velocity,
+                     TurbulenceCells cells, core::View<double> free)
 {
     for (const WallCell& at : walls.cells) cells.produced[at.cell] = cells.epsilon[at.cell] = free[at.cell] = 0;
     for (const WallCell& at : walls.cells) {
@@ -39,7 +39,8 @@ void set_wall_layers(const BlockWalls& sides, const WallsOfTurbulence& walls, co
 
 void eddy_viscosity(double viscosity, core::View<const double> k, core::View<const double> epsilon, core::View<double> out)
 {
-    map_cells(out, [viscosity](double energy, double dissipation) { return eddy_viscosity(energy, dissipation, viscosity); }, k, epsilon);
+    map_cells(
+        out, [viscosity](double energy, double dissipation) { return eddy_viscosity(energy, dissipation, viscosity); }, k, epsilon);
 }
 
 void viscosity_on_faces(const core::BlockGeometry& geometry, const BlockWalls& sides, const WallsOfTurbulence& walls,
@@ -82,9 +83,12 @@ void form_sources(const BlockWalls& sides, const WallsOfTurbulence& walls, core:
 {
     map_cells(
         cells.produced,
-        [nu = walls.viscosity](double strain, double k, double epsilon) { return production(eddy_viscosity(k, epsilon, nu), strain, epsilon); },
+        [nu = walls.viscosity](double strain, double k, double epsilon) {
+            return production(eddy_viscosity(k, epsilon, nu), strain, epsilon);
+        },
         cells.produced, cells.k, cells.epsilon);
-    map_cells(out.free, [](double) { return 1.0; }, cells.k);
+    map_cells(
+        out.free, [](double) { return 1.0; }, cells.k);
     set_wall_layers(sides, walls, velocity, cells, out.free);
     core::for_each_cell(cells.k.extents(), [&](int i, int j, int k) {
         const Turbulence at{cells.k(i, j, k), cells.epsilon(i, j, k)};

@@ -39,8 +39,8 @@ struct TurbulenceSources {
 
 /// The sources of all cells; what lies beside walls has production and dissipation of their layer.
 struct TurbulenceCells {
-    core::View<double> k, epsilon; ///< updated: epsilon beside walls becomes that of their layer
-    core::View<double> produced;   ///< 2 S_ij S_ij in, production out
+    core::View<double> k, epsilon;  ///< updated: epsilon beside walls becomes that of their layer
+    core::View<double> produced;    ///< 2 S_ij S_ij in, production out
     core::View<const double> share; ///< w
 };
 struct TurbulenceEquations {

@@ -9,9 +9,9 @@ namespace physics {
 struct WallCell {
     core::Index3 cell, face; ///< the face in the indices of the FaceView along the side's axis
     core::Side side;
-    double distance;         ///< from the cell's centre to the wall [m]
-    core::Vec3 normal;       ///< of unit length
-    double share;            ///< 1 over the number of walls beside the cell
+    double distance;   ///< from the cell's centre to the wall [m]
+    core::Vec3 normal; ///< of unit length
+    double share;      ///< 1 over the number of walls beside the cell
 };
 
 /// In the order of sides and faces.

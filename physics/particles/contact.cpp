@@ -37,7 +37,7 @@ struct LawTable {
 struct alignas(64) PairBlock {
     static constexpr int size = 64;
     using Lane = double[size];
-    Lane dx, dy, dz, vx, vy, vz; ///< Second centre from the first; velocity of the first against the second.
+    Lane dx, dy, dz, vx, vy, vz;         ///< Second centre from the first; velocity of the first against the second.
     Lane ri, rj, ax, ay, az, bx, by, bz; ///< Radii and spins.
     Lane fx, fy, fz, tx, ty, tz, li, lj; ///< Force, normal x force, lever arms.
 };
@@ -183,11 +183,10 @@ void run_chunk(const PairScene& scene, const core::NearPairs& near, int chunk, c
     run_pairs(scene, pair, begin, middle, law_of, [](int) { return core::Four{}; });
     const core::Vec3* shifts = scene.shifts.data();
     const std::uint8_t* image = near.image.data();
-    run_pairs(scene, pair, middle, near.shifted_end[std::size_t(chunk)], law_of,
-              [=](int m) {
-                  const core::Vec3& shift = shifts[image[m]];
-                  return core::Four{shift[0], shift[1], shift[2], 0.0};
-              });
+    run_pairs(scene, pair, middle, near.shifted_end[std::size_t(chunk)], law_of, [=](int m) {
+        const core::Vec3& shift = shifts[image[m]];
+        return core::Four{shift[0], shift[1], shift[2], 0.0};
+    });
 }
 
 ContactLaws laws_of(const std::vector<ContactParameters>& entries, int wanted, double step)
@@ -207,14 +206,11 @@ ContactLaws pair_laws(const ParticleParameters& parameters, double step)
     return laws_of(parameters.pairs, parameters.species * parameters.species, step);
 }
 
-ContactLaws wall_laws(const ParticleParameters& parameters, double step)
-{
-    return laws_of(parameters.walls, parameters.species, step);
-}
+ContactLaws wall_laws(const ParticleParameters& parameters, double step) { return laws_of(parameters.walls, parameters.species, step); }
 
 void pair_forces(const PairScene& scene, core::NearPairs& near, int chunk, std::span<ContactForce> forces)
 {
-    const PairColumns pair{near.first.data(), near.second.data(), near.root_mass.data(), near.spring[0].data(),
+    const PairColumns pair{near.first.data(),     near.second.data(),    near.root_mass.data(), near.spring[0].data(),
                            near.spring[1].data(), near.spring[2].data(), forces.data()};
     if (scene.laws.size() == 1) {
         run_chunk(scene, near, chunk, pair, OneLaw{scene.laws.front()});

@@ -19,14 +19,14 @@ namespace physics {
 
 /// One contact before the force is known. Vectors are written out so that loops over contacts become vector code.
 struct ContactInput {
-    double nx, ny, nz;     ///< Unit normal from first to second, at the positions [-].
-    double mx, my, mz;     ///< Unit normal at the time of the velocities, half a step earlier [-].
-    double overlap;        ///< [m]; no contact where it is not positive.
-    double vx, vy, vz;     ///< Velocity of the first centre against the second [m/s].
-    double wx, wy, wz;     ///< Spins weighted with the lever arms, first + second [m/s].
-    double twist;          ///< Turn of the contact about its normal [1/s].
-    double sx, sy, sz;     ///< Tangential spring [m].
-    double root_mass;      ///< Square root of the reduced mass [kg^1/2].
+    double nx, ny, nz; ///< Unit normal from first to second, at the positions [-].
+    double mx, my, mz; ///< Unit normal at the time of the velocities, half a step earlier [-].
+    double overlap;    ///< [m]; no contact where it is not positive.
+    double vx, vy, vz; ///< Velocity of the first centre against the second [m/s].
+    double wx, wy, wz; ///< Spins weighted with the lever arms, first + second [m/s].
+    double twist;      ///< Turn of the contact about its normal [1/s].
+    double sx, sy, sz; ///< Tangential spring [m].
+    double root_mass;  ///< Square root of the reduced mass [kg^1/2].
 };
 
 /// Force on the first particle [N] and the new tangential spring [m].
@@ -88,8 +88,7 @@ struct LinearContact {
     const double fn = touching ? normal : 0.0;
     const double fx = share * gx, fy = share * gy, fz = share * gz;
     const double stored = -compliance, stick = touching && !sliding ? 1.0 : 0.0, slide = sliding ? stored : 0.0;
-    return {fx - fn * c.nx,           fy - fn * c.ny,           fz - fn * c.nz,
-            stick * sx + slide * fx, stick * sy + slide * fy, stick * sz + slide * fz};
+    return {fx - fn * c.nx, fy - fn * c.ny, fz - fn * c.nz, stick * sx + slide * fx, stick * sy + slide * fy, stick * sz + slide * fz};
 }
 
 } // namespace physics

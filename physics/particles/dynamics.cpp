@@ -12,7 +12,7 @@ namespace {
 constexpr auto index_of(int i) { return std::size_t(i); }
 
 // measured in a pipe of 16,000 kicked spheres: a flat optimum, 0.2-0.5 and 0.02-0.06 differ by less than 20 %
-constexpr double usual_skin = 0.33;      ///< Over the greatest radius.
+constexpr double usual_skin = 0.33; ///< Over the greatest radius.
 constexpr double usual_near_skin = 0.03;
 
 int chunk_count(const core::ParticleSet& particles)
@@ -22,10 +22,14 @@ int chunk_count(const core::ParticleSet& particles)
 
 } // namespace
 
-ParticleDynamics::ParticleDynamics(const core::Domain& domain, const ParticleParameters& parameters, std::vector<Wall> walls,
-                                   double step)
-    : domain_(domain), parameters_(parameters), step_(step), pair_laws_(pair_laws(parameters, step)),
-      wall_laws_(wall_laws(parameters, step)), walls_(std::move(walls)), shifts_(core::image_shifts(domain))
+ParticleDynamics::ParticleDynamics(const core::Domain& domain, const ParticleParameters& parameters, std::vector<Wall> walls, double step)
+    : domain_(domain),
+      parameters_(parameters),
+      step_(step),
+      pair_laws_(pair_laws(parameters, step)),
+      wall_laws_(wall_laws(parameters, step)),
+      walls_(std::move(walls)),
+      shifts_(core::image_shifts(domain))
 {
     near_.species_count = parameters.species;
 }

@@ -91,11 +91,11 @@ private:
     core::NearPairs near_;
     std::vector<ContactForce> forces_;
     MotionRecords records_;
-    core::Triple reference_;       // positions at the last rebuild
+    core::Triple reference_; // positions at the last rebuild
     bool built_ = false, near_built_ = false;
     double travelled_ = 0.0, near_travelled_ = 0.0;
-    std::vector<int> segments_;    // chunks [segments_[s], segments_[s + 1]) run one after the other
-    std::vector<char> deferred_;   // chunks that other segments' pairs touch: moved when all pairs are done
+    std::vector<int> segments_;  // chunks [segments_[s], segments_[s + 1]) run one after the other
+    std::vector<char> deferred_; // chunks that other segments' pairs touch: moved when all pairs are done
     int planned_threads_ = 0;
 };
 

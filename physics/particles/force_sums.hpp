@@ -16,8 +16,7 @@ struct alignas(64) ForceSums {
 };
 
 /// Sums the pair forces of each particle of `chunk` in the order of its neighbours' ids.
-inline void sum_pair_forces(const core::PairList& pairs, const core::NearPairs& near, std::span<const ContactForce> forces,
-                            ForceSums& sums)
+inline void sum_pair_forces(const core::PairList& pairs, const core::NearPairs& near, std::span<const ContactForce> forces, ForceSums& sums)
 {
     for (int i = sums.begin; i < sums.end; ++i) {
         core::Four force{}, torque{};

@@ -133,7 +133,8 @@ Layers layers_of(const core::Domain& domain, int axis, double diameter, double s
         return {count, 0.5 * size / count, size / count};
     }
     // Four neighbours push with the overlap (1 - spacing) d each, across a layer by its share 1 / sqrt 2; walls do not pull.
-    const double clear = (0.5 - 2.0 * std::numbers::sqrt2 * std::max(0.0, 1.0 - spacing)) * diameter, between = std::max(0.0, size - 2.0 * clear);
+    const double clear = (0.5 - 2.0 * std::numbers::sqrt2 * std::max(0.0, 1.0 - spacing)) * diameter,
+                 between = std::max(0.0, size - 2.0 * clear);
     const int gaps = int(std::lround(between / half_edge));
     return {gaps + 1, gaps > 0 ? clear : 0.5 * size, gaps > 0 ? between / gaps : 0.0};
 }
@@ -163,8 +164,9 @@ std::vector<core::Sphere> place_at_random(const core::Domain& domain, const std:
             sphere.position = region.low + core::Vec3(u[0], u[1], u[2]).cwiseProduct(region.high - region.low);
             found = clearance(walls, sphere.position, sphere.radius) >= 0.0 && placed.free(sphere.position, sphere.radius);
         }
-        core::require<core::ConfigError>(found, core::text("no room for particle ", sphere.id, " of ", all.size(), " (diameter ", 2.0 * sphere.radius,
-                                                           " m) after ", most_trials, " trials: use fewer particles, a larger region or a lattice"));
+        core::require<core::ConfigError>(found, core::text("no room for particle ", sphere.id, " of ", all.size(), " (diameter ",
+                                                           2.0 * sphere.radius, " m) after ", most_trials,
+                                                           " trials: use fewer particles, a larger region or a lattice"));
         placed.add(sphere.position, sphere.radius);
     }
     std::vector<core::Sphere> spheres;

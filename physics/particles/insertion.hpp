@@ -40,6 +40,7 @@ struct Group {
 /// hard as four neighbours do. Filled from the low end of the first axis that is not periodic, the groups mixed at random.
 /// @param spacing  Distance of neighbours in largest diameters, as near as whole cubes fit; below 1 they overlap.
 /// @throws core::ConfigError if the regions have too few sites.
-[[nodiscard]] std::vector<core::Sphere> place_packed(const core::Domain& domain, const std::vector<Group>& groups, double spacing, std::uint64_t seed);
+[[nodiscard]] std::vector<core::Sphere> place_packed(const core::Domain& domain, const std::vector<Group>& groups, double spacing,
+                                                     std::uint64_t seed);
 
 } // namespace physics

@@ -11,10 +11,10 @@ namespace physics {
 
 /// Contact between two materials.
 struct ContactParameters {
-    double stiffness = 1000.0;                ///< Normal spring k_n [N/m].
-    double tangential_stiffness = 2.0 / 7.0;  ///< k_t / k_n [-].
-    double restitution = 0.6;                 ///< Rebound speed over approach speed, head-on, 0.01..1 [-].
-    double friction = 0.5;                    ///< Coulomb's coefficient [-].
+    double stiffness = 1000.0;               ///< Normal spring k_n [N/m].
+    double tangential_stiffness = 2.0 / 7.0; ///< k_t / k_n [-].
+    double restitution = 0.6;                ///< Rebound speed over approach speed, head-on, 0.01..1 [-].
+    double friction = 0.5;                   ///< Coulomb's coefficient [-].
 };
 
 struct ParticleParameters {

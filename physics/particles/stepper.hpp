@@ -57,7 +57,7 @@ private:
     core::Exchange exchange_;
     Motion motion_;
     int sub_step_ = 0, sub_steps_ = 0;
-    double time_ = 0.0;            // that the fastest particle has gone since the last account
+    double time_ = 0.0; // that the fastest particle has gone since the last account
     Wait wait_ = Wait::nothing;
     bool have_ghosts_ = false, handing_over_ = false;
     std::array<double, 7> shared_; // greatest values of all ranks

@@ -9,8 +9,8 @@ namespace {
 
 using core::Vec3;
 
-constexpr double same_contact = 0.9848;     // cosine of 10 degrees: two hits are one contact
-constexpr double same_friction = 0.7071;    // cosine of 45 degrees: a contact goes on
+constexpr double same_contact = 0.9848;         // cosine of 10 degrees: two hits are one contact
+constexpr double same_friction = 0.7071;        // cosine of 45 degrees: a contact goes on
 constexpr std::int64_t first_feature = 1 << 20; // analytic walls have lower numbers
 constexpr auto index_of(int i) { return std::size_t(i); }
 
@@ -41,8 +41,7 @@ Vec3 take_spring(Iterator first, Iterator last, const Vec3& normal)
 
 } // namespace
 
-void SurfaceContacts::build(const core::ParticleSet& particles, double skin, double near_skin,
-                            const core::ContactHistory& history)
+void SurfaceContacts::build(const core::ParticleSet& particles, double skin, double near_skin, const core::ContactHistory& history)
 {
     near_skin_ = near_skin;
     chunks_.resize(index_of((particles.owned + core::particles_per_chunk - 1) / core::particles_per_chunk));
@@ -71,8 +70,8 @@ void SurfaceContacts::make_filters(const core::ParticleSet& particles, Chunk& ch
     for (int begin = 0; begin < listed.size(); begin += 4) {
         const auto i = listed.particles_from(begin), triangle = listed.triangles_from(begin);
         for (std::size_t lane = 0; lane < 4; ++lane)
-            chunk.filters[index_of(begin / 4)].set(
-                int(lane), surface_.bounds(triangle[lane], particles.radius[index_of(i[lane])], near_skin_));
+            chunk.filters[index_of(begin / 4)].set(int(lane),
+                                                   surface_.bounds(triangle[lane], particles.radius[index_of(i[lane])], near_skin_));
     }
 }
 
@@ -107,8 +106,8 @@ void SurfaceContacts::append_row(int i, core::ContactHistory& history) const
     const std::size_t c = index_of(i / core::particles_per_chunk);
     if (c >= chunks_.size()) return;
     const auto& contacts = chunks_[c].contacts;
-    auto contact = std::lower_bound(contacts.begin(), contacts.end(), i,
-                                    [](const Contact& a, int particle) { return a.particle < particle; });
+    auto contact =
+        std::lower_bound(contacts.begin(), contacts.end(), i, [](const Contact& a, int particle) { return a.particle < particle; });
     std::int64_t k = first_feature;
     for (; contact != contacts.end() && contact->particle == i; ++contact) {
         if (contact->spring.isZero(0.0)) continue;
@@ -184,8 +183,7 @@ void SurfaceContacts::find_touches(const Vec3& centre, double radius, int begin,
     if (touches.size() < 2) return;
     // a centre behind one face but before another is outside an edge, not inside the wall
     if (touches.back().hit.depth > 0.0)
-        touches.erase(touches.begin(),
-                      std::find_if(touches.begin(), touches.end(), [](const Touch& t) { return t.hit.depth > 0.0; }));
+        touches.erase(touches.begin(), std::find_if(touches.begin(), touches.end(), [](const Touch& t) { return t.hit.depth > 0.0; }));
     auto kept = touches.begin();
     for (const Touch& t : touches) {
         const auto same = [&](const Touch& other) { return other.hit.normal.dot(t.hit.normal) > same_contact; };

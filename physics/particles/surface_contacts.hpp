@@ -64,11 +64,11 @@ private:
     /// The particles of one chunk that are near the surface.
     struct Chunk {
         Pairs listed, near;
-        std::vector<SurfaceFilter> filters;      ///< Of the listed pairs, four at a time.
-        std::vector<FourPatches> patches;        ///< Of the near pairs, four at a time.
-        std::vector<char> plain;                 ///< Near pairs whose triangle has no sharp edge and no sharp corner.
+        std::vector<SurfaceFilter> filters; ///< Of the listed pairs, four at a time.
+        std::vector<FourPatches> patches;   ///< Of the near pairs, four at a time.
+        std::vector<char> plain;            ///< Near pairs whose triangle has no sharp edge and no sharp corner.
         std::vector<Feet> feet;
-        std::vector<Touch> touches;              ///< Of one particle.
+        std::vector<Touch> touches; ///< Of one particle.
         std::vector<Contact> contacts, contacts_before;
     };
     void gather_patches(Chunk& chunk) const;

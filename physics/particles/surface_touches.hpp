@@ -60,8 +60,7 @@ struct alignas(64) SurfaceTouches {
     /// Adds the forces to the sums of a chunk whose first particle is `first`, one after the other.
     void add_to(const SumColumns& sums, std::size_t first) const
     {
-        for (int k = 0; k < count; ++k)
-            add_wall_force({fx[k], fy[k], fz[k], 0.0, 0.0, 0.0}, at(k), std::size_t(particle[k]) - first, sums);
+        for (int k = 0; k < count; ++k) add_wall_force({fx[k], fy[k], fz[k], 0.0, 0.0, 0.0}, at(k), std::size_t(particle[k]) - first, sums);
     }
 };
 

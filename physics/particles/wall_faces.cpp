@@ -48,8 +48,7 @@ void WallFaces::find_sharp_edges(double smooth_angle)
         auto& sharp = sharp_.emplace_back();
         for (int k = 0; k < 4; ++k) {
             const int other = neighbour(f, k);
-            sharp[std::size_t(k)] =
-                other < 0 || normal_[std::size_t(f)].normalized().dot(normal_[std::size_t(other)].normalized()) < least;
+            sharp[std::size_t(k)] = other < 0 || normal_[std::size_t(f)].normalized().dot(normal_[std::size_t(other)].normalized()) < least;
         }
     }
 }

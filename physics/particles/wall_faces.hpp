@@ -37,8 +37,8 @@ private:
 
     std::span<const core::Vec3> vertices_;
     std::span<const std::array<int, 4>> quads_;
-    std::vector<core::Vec3> normal_;                          // twice the area, of each face [m2]
-    std::map<std::pair<int, int>, std::vector<int>> edges_;   // faces at each edge, lower vertex first
+    std::vector<core::Vec3> normal_;                        // twice the area, of each face [m2]
+    std::map<std::pair<int, int>, std::vector<int>> edges_; // faces at each edge, lower vertex first
     std::vector<std::array<bool, 4>> sharp_;
     std::vector<int> sharp_vertex_;
     std::vector<std::vector<core::Vec3>> spokes_;

@@ -21,9 +21,17 @@ struct WallMeeting {
 struct ParticleColumns {
     const double *x, *y, *z, *vx, *vy, *vz, *wx, *wy, *wz, *radius, *mass;
     explicit ParticleColumns(const core::ParticleSet& p)
-        : x(p.position[0].data()), y(p.position[1].data()), z(p.position[2].data()), vx(p.velocity[0].data()),
-          vy(p.velocity[1].data()), vz(p.velocity[2].data()), wx(p.spin[0].data()), wy(p.spin[1].data()), wz(p.spin[2].data()),
-          radius(p.radius.data()), mass(p.mass.data())
+        : x(p.position[0].data()),
+          y(p.position[1].data()),
+          z(p.position[2].data()),
+          vx(p.velocity[0].data()),
+          vy(p.velocity[1].data()),
+          vz(p.velocity[2].data()),
+          wx(p.spin[0].data()),
+          wy(p.spin[1].data()),
+          wz(p.spin[2].data()),
+          radius(p.radius.data()),
+          mass(p.mass.data())
     {
     }
 };
@@ -31,7 +39,11 @@ struct ParticleColumns {
 struct SumColumns {
     double *fx, *fy, *fz, *tx, *ty, *tz;
     explicit SumColumns(ForceSums& s)
-        : fx(s.force[0].data()), fy(s.force[1].data()), fz(s.force[2].data()), tx(s.torque[0].data()), ty(s.torque[1].data()),
+        : fx(s.force[0].data()),
+          fy(s.force[1].data()),
+          fz(s.force[2].data()),
+          tx(s.torque[0].data()),
+          ty(s.torque[1].data()),
           tz(s.torque[2].data())
     {
     }

@@ -14,7 +14,8 @@ namespace physics {
 /// flat triangle, so that Newton's method needs no square root.
 struct alignas(32) WallPatch {
     static constexpr int size = 36;
-    static constexpr int corner = 0, dual = 3, edges = 12, bend = 18, normal = 27; ///< Beginnings of three, nine, six, nine and nine numbers.
+    static constexpr int corner = 0, dual = 3, edges = 12, bend = 18,
+                         normal = 27; ///< Beginnings of three, nine, six, nine and nine numbers.
     std::array<double, size> value;
 
     [[nodiscard]] double operator[](int n) const { return value[std::size_t(n)]; }
@@ -28,8 +29,7 @@ struct FourPatches {
     [[gnu::always_inline]] void read(const WallPatch* patches, const std::array<int, 4>& triangle)
     {
         for (std::size_t n = 0; n < value.size(); n += 4) {
-            for (std::size_t lane = 0; lane < 4; ++lane)
-                value[n + lane] = core::load_four(patches[triangle[lane]].value.data() + n);
+            for (std::size_t lane = 0; lane < 4; ++lane) value[n + lane] = core::load_four(patches[triangle[lane]].value.data() + n);
             core::transpose(value[n], value[n + 1], value[n + 2], value[n + 3]);
         }
     }
@@ -73,8 +73,13 @@ template <class Real>
 struct PatchShapes {
     Real one, two, bulge_one, bulge_two, product, rise_one, rise_two;
     [[gnu::always_inline]] explicit PatchShapes(const PatchPlace<Real>& at)
-        : one(at.one), two(at.two), bulge_one(one - one * one), bulge_two(two - two * two), product(one * two),
-          rise_one(1.0 - one - one), rise_two(1.0 - two - two)
+        : one(at.one),
+          two(at.two),
+          bulge_one(one - one * one),
+          bulge_two(two - two * two),
+          product(one * two),
+          rise_one(1.0 - one - one),
+          rise_two(1.0 - two - two)
     {
     }
 };

@@ -132,8 +132,7 @@ bool WallSurface::meet_corner(const Triangle& t, int corner, const Vec3& centre,
 std::array<int, 3> WallSurface::bin(const Vec3& x) const
 {
     std::array<int, 3> b;
-    for (std::size_t a = 0; a < 3; ++a)
-        b[a] = int(std::clamp((x[int(a)] - low_[int(a)]) / bin_width_, 0.0, double(bins_[a] - 1)));
+    for (std::size_t a = 0; a < 3; ++a) b[a] = int(std::clamp((x[int(a)] - low_[int(a)]) / bin_width_, 0.0, double(bins_[a] - 1)));
     return b;
 }
 
@@ -214,8 +213,7 @@ bool WallSurface::near(int triangle, const Vec3& centre, double radius, double s
     const std::array<double, 3> weight{at.one, at.two, 1.0 - at.one - at.two};
     if (t.plain) {
         bool inside = true;
-        for (std::size_t c = 0; c < 3; ++c)
-            inside = inside && weight[c] > -(t.room[c] + t.lean[c] * reach + t.slope[c] * skin);
+        for (std::size_t c = 0; c < 3; ++c) inside = inside && weight[c] > -(t.room[c] + t.lean[c] * reach + t.slope[c] * skin);
         return inside;
     }
     if (std::min({weight[0], weight[1], weight[2]}) >= 0.0) return true;

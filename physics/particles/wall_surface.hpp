@@ -58,14 +58,14 @@ public:
 private:
     struct Triangle {
         std::array<core::Vec3, 3> corner;
-        double low, high;                     ///< The patch's heights over the flat triangle are within these [m].
-        double bulge;                         ///< Greatest distance of the patch from the flat triangle [m].
-        std::array<double, 3> room, lean;     ///< A foot inside lies below a centre that is no further outside than room + lean depth.
-        std::array<double, 3> slope;          ///< Of the barycentric coordinates [1/m].
-        bool plain = true;                    ///< No sharp edge and no sharp corner.
-        bool sharp = false;                   ///< The edge opposite to corner 0, which is the quadrilateral's.
-        core::Vec3 across;                    ///< In the neighbour's plane, away from that edge; zero at the rim of the surface.
-        std::array<int, 3> vertex{-1, -1, -1};///< Number of the corner if it is sharp, or -1.
+        double low, high;                      ///< The patch's heights over the flat triangle are within these [m].
+        double bulge;                          ///< Greatest distance of the patch from the flat triangle [m].
+        std::array<double, 3> room, lean;      ///< A foot inside lies below a centre that is no further outside than room + lean depth.
+        std::array<double, 3> slope;           ///< Of the barycentric coordinates [1/m].
+        bool plain = true;                     ///< No sharp edge and no sharp corner.
+        bool sharp = false;                    ///< The edge opposite to corner 0, which is the quadrilateral's.
+        core::Vec3 across;                     ///< In the neighbour's plane, away from that edge; zero at the rim of the surface.
+        std::array<int, 3> vertex{-1, -1, -1}; ///< Number of the corner if it is sharp, or -1.
     };
     void add_triangles(const WallFaces& faces, int face);
     void add_patch(Triangle& triangle, const std::array<core::Vec3, 3>& normal);

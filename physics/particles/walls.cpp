@@ -68,7 +68,8 @@ void run_contacts(const core::ParticleSet& p, const WallColumns& wall, int begin
         const auto i = index_of(wall.particle[k]);
         const LinearContact& law = law_of(i);
         const double half = 0.5 * law.step;
-        const WallMeeting at = meet(columns.x[i], columns.y[i], columns.z[i], half * columns.vx[i], half * columns.vy[i], half * columns.vz[i]);
+        const WallMeeting at =
+            meet(columns.x[i], columns.y[i], columns.z[i], half * columns.vx[i], half * columns.vy[i], half * columns.vz[i]);
         ContactInput in = wall_input(columns, i, at);
         in.sx = wall.sx[k];
         in.sy = wall.sy[k];
@@ -185,10 +186,12 @@ void WallContacts::add_forces(const core::ParticleSet& p, const ContactLaws& law
             [&](const auto& wall) {
                 const auto meet = meeting_of(wall);
                 if (laws.size() == 1)
-                    run_contacts(p, columns, begin, end, meet, [law = laws.front()](std::size_t) -> const LinearContact& { return law; }, sums);
+                    run_contacts(
+                        p, columns, begin, end, meet, [law = laws.front()](std::size_t) -> const LinearContact& { return law; }, sums);
                 else
-                    run_contacts(p, columns, begin, end, meet,
-                                 [&](std::size_t i) -> const LinearContact& { return laws[index_of(p.species[i])]; }, sums);
+                    run_contacts(
+                        p, columns, begin, end, meet, [&](std::size_t i) -> const LinearContact& { return laws[index_of(p.species[i])]; },
+                        sums);
             },
             walls_[w]);
     }

@@ -49,8 +49,8 @@ private:
     struct List {
         Contacts all;
         std::vector<int> chunk_begin;
-        Contacts near;            ///< Those of each chunk begin where all of it begin.
-        std::vector<int> place;   ///< Of near contacts among all.
+        Contacts near;          ///< Those of each chunk begin where all of it begin.
+        std::vector<int> place; ///< Of near contacts among all.
         std::vector<int> near_end;
     };
     std::vector<Wall> walls_;

@@ -19,8 +19,8 @@ void CoupledStep::make_assumed()
     AssumedGrains& assumed = assumed_.get();
     assumed.dynamics = std::make_unique<ParticleDynamics>(dynamics_);
     assumed.stepper = std::make_unique<ParticleStepper>(*assumed.dynamics, stepper_);
-    fluid_filter_ = std::make_unique<LaneFilter>("filter of the fluid lane", make_mesh_links(mesh_, ranks_.rank()).topology,
-                                                 parameters_.filter_width);
+    fluid_filter_ =
+        std::make_unique<LaneFilter>("filter of the fluid lane", make_mesh_links(mesh_, ranks_.rank()).topology, parameters_.filter_width);
 }
 
 void CoupledStep::declare_taking(tasks::StageGraph& graph)
@@ -39,8 +39,8 @@ void CoupledStep::declare_assumed(tasks::StageGraph& graph, Mode mode)
 {
     if (mode == Mode::coarse)
         graph.whole(
-            "move grains with longer sub-steps",
-            [this](tasks::Lane& lane, AssumedGrains& assumed) { return coarse_pass(lane, assumed); }, updates(assumed_));
+            "move grains with longer sub-steps", [this](tasks::Lane& lane, AssumedGrains& assumed) { return coarse_pass(lane, assumed); },
+            updates(assumed_));
     else
         graph.whole(
             "fly grains held back",
@@ -75,7 +75,8 @@ void CoupledStep::declare_ledger(tasks::StageGraph& graph, Mode mode)
         graph.each_block(
             "ledger is paid",
             [](LocalBlock, VectorView<double> ledger) {
-                for (int c = 0; c < 3; ++c) core::for_each_cell(ledger.x.extents(), [&](int i, int j, int k) { ledger.component(c)(i, j, k) = 0.0; });
+                for (int c = 0; c < 3; ++c)
+                    core::for_each_cell(ledger.x.extents(), [&](int i, int j, int k) { ledger.component(c)(i, j, k) = 0.0; });
             },
             writes(f.ledger));
     else
@@ -85,7 +86,8 @@ void CoupledStep::declare_ledger(tasks::StageGraph& graph, Mode mode)
                    Vectors change, View<const double> response, Vectors miss, VectorView<double> ledger) {
                 unpaid_impulse(own(u, advected, gp, clock), sums, {change, response, gradient, miss}, ledger);
             },
-            reads(fluid_.state().velocity, f.advected, fluid.pressure_gradient, fluid.psi_gradient, clock_, f.sums, f.change, f.response, f.miss),
+            reads(fluid_.state().velocity, f.advected, fluid.pressure_gradient, fluid.psi_gradient, clock_, f.sums, f.change, f.response,
+                  f.miss),
             updates(f.ledger));
     graph.sink(f.ledger);
 }

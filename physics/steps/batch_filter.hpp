@@ -16,7 +16,8 @@ tasks::Job filter_batch(tasks::Lane& lane, Filter& filter, core::FieldBatch<N>& 
     const int room = filter.room();
     for (int first = 0; first < int(arrays); first += room) {
         const int count = std::min(room, int(arrays) - first);
-        filter.put(lane.team(), count, [&](core::LocalBlock b, int n) { return core::View<const double>(batch.on(b)[std::size_t(first + n)]); });
+        filter.put(lane.team(), count,
+                   [&](core::LocalBlock b, int n) { return core::View<const double>(batch.on(b)[std::size_t(first + n)]); });
         co_await run(lane, filter, count);
         filter.take(lane.team(), count, [&](core::LocalBlock b, int n) { return batch.on(b)[std::size_t(first + n)]; });
     }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 // CoupledStep, the cells' side: predictor, volume flux of the mixture, projection, correction.
-#include "physics/fluid/boundary_halo.hpp"
 #include "physics/fluid/advection_lcsi.hpp"
+#include "physics/fluid/boundary_halo.hpp"
 #include "physics/fluid/cell_loops.hpp"
 #include "physics/fluid/flux_memory.hpp"
 #include "physics/fluid/projection.hpp"
@@ -56,10 +56,12 @@ void CoupledStep::declare_memory(tasks::StageGraph& graph)
 void CoupledStep::declare_expected(tasks::StageGraph& graph)
 {
     auto& fluid = fluid_.fields();
-    const auto expect = [this](LocalBlock, Vectors advected, Vectors gp, Vectors acceleration, const FluidClock& clock, VectorView<double> out) {
+    const auto expect = [this](LocalBlock, Vectors advected, Vectors gp, Vectors acceleration, const FluidClock& clock,
+                               VectorView<double> out) {
         // The gradient of the pressure went half to what is advected: off it goes.
         const double half = 0.5 * clock.dt / fluid_.parameters().density;
-        map_components(out, [half, dt = clock.dt](double u, double g, double a) { return u + (half * g + dt * a); }, advected, gp, acceleration);
+        map_components(
+            out, [half, dt = clock.dt](double u, double g, double a) { return u + (half * g + dt * a); }, advected, gp, acceleration);
     };
     graph.each_block("expect velocity beside grains", expect, reads(fluid.advected, fluid.pressure_gradient, fields_.acceleration, clock_),
                      writes(fluid.predicted));
@@ -73,11 +75,13 @@ void CoupledStep::declare_expected(tasks::StageGraph& graph)
 void CoupledStep::declare_expected_again(tasks::StageGraph& graph)
 {
     auto& fluid = fluid_.fields();
-    const auto expect = [](LocalBlock, Vectors advected, Vectors viscous, Vectors acceleration, const FluidClock& clock, VectorView<double> out) {
-        map_components(out, [dt = clock.dt](double u, double change, double a) { return u - change + dt * a; }, advected, viscous, acceleration);
+    const auto expect = [](LocalBlock, Vectors advected, Vectors viscous, Vectors acceleration, const FluidClock& clock,
+                           VectorView<double> out) {
+        map_components(
+            out, [dt = clock.dt](double u, double change, double a) { return u - change + dt * a; }, advected, viscous, acceleration);
     };
-    graph.each_block("expect velocity beside grains again", expect, reads(fields_.advected, fluid.viscous_change, fields_.acceleration, clock_),
-                     writes(fluid.predicted));
+    graph.each_block("expect velocity beside grains again", expect,
+                     reads(fields_.advected, fluid.viscous_change, fields_.acceleration, clock_), writes(fluid.predicted));
     declare_advected(graph);
 }
 
@@ -88,7 +92,8 @@ void CoupledStep::declare_advected(tasks::StageGraph& graph)
     graph.each_block(
         "advected velocity",
         [](LocalBlock, Vectors predicted, Vectors acceleration, const FluidClock& clock, VectorView<double> advected) {
-            map_components(advected, [dt = clock.dt](double u, double a) { return u - dt * a; }, predicted, acceleration);
+            map_components(
+                advected, [dt = clock.dt](double u, double a) { return u - dt * a; }, predicted, acceleration);
         },
         reads(fluid.predicted, fields_.acceleration, clock_), writes(fields_.advected));
 }
@@ -101,15 +106,15 @@ void CoupledStep::declare_predictor(tasks::StageGraph& graph, core::FieldBatch<g
     graph.each_block(
         "untold change of velocity",
         [](LocalBlock, Vectors u, Vectors advected, Vectors acceleration, const FluidClock& clock, VectorView<double> miss) {
-            map_components(miss, [dt = clock.dt](double v, double ua, double a) { return v - ua - dt * a; }, u, advected, acceleration);
+            map_components(
+                miss, [dt = clock.dt](double v, double ua, double a) { return v - ua - dt * a; }, u, advected, acceleration);
         },
         reads(velocity, f.advected, f.acceleration, clock_), writes(f.miss));
     graph.each_block(
         "predict with grains",
         [this](LocalBlock, Vectors u, Vectors advected, Vectors gp, const FluidClock& clock, GrainSumViews sums, Vectors ledger,
-               Vectors miss, VectorView<double> change) {
-            predicted_velocity_change(own(u, advected, gp, clock), sums, ledger, miss, change);
-        },
+               Vectors miss,
+               VectorView<double> change) { predicted_velocity_change(own(u, advected, gp, clock), sums, ledger, miss, change); },
         reads(velocity, f.advected, fluid.pressure_gradient, clock_, taken, f.ledger, f.miss), writes(f.change));
     graph.each_block(
         "projection response",
@@ -130,11 +135,9 @@ void CoupledStep::declare_volume_flux(tasks::StageGraph& graph, core::FieldBatch
     graph.each_block(
         "volume flux with grains",
         [this](LocalBlock, Vectors u, Vectors advected, Vectors gp, const FluidClock& clock, GrainSumViews sums, Vectors change,
-               Vectors miss, View<double> known, VectorView<double> carried) {
-            predicted_volume_flux(own(u, advected, gp, clock), sums, change, miss, known, carried);
-        },
-        reads(state.velocity, f.advected, fluid.pressure_gradient, clock_, taken, f.change, f.miss),
-        writes(f.known_mobility, f.carried));
+               Vectors miss, View<double> known,
+               VectorView<double> carried) { predicted_volume_flux(own(u, advected, gp, clock), sums, change, miss, known, carried); },
+        reads(state.velocity, f.advected, fluid.pressure_gradient, clock_, taken, f.change, f.miss), writes(f.known_mobility, f.carried));
     fluid_.declare_interpolated_flux(graph, f.carried);
     graph.each_block(
         "known pressure on faces",
@@ -143,7 +146,8 @@ void CoupledStep::declare_volume_flux(tasks::StageGraph& graph, core::FieldBatch
             face_mobility(known, known_faces);
             gradient_flux(geometry(b), p, gp, scratch);
             close_walls(fluid_.walls()[std::size_t(b)], scratch);
-            map_faces(flux, [](double q, double m, double s) { return q - m * s; }, flux, known_faces, scratch);
+            map_faces(
+                flux, [](double q, double m, double s) { return q - m * s; }, flux, known_faces, scratch);
             add_remembered(clock.memory(), remembered, flux);
         },
         reads(beside(state.pressure), beside(fluid.pressure_gradient), beside(f.known_mobility), fluid.remembered_flux, clock_),
@@ -168,7 +172,8 @@ void CoupledStep::declare_projection(tasks::StageGraph& graph)
                FaceView<double> scratch, FaceView<double> flux) {
             gradient_flux(geometry(b), psi, g, scratch);
             close_walls(fluid_.walls()[std::size_t(b)], scratch);
-            map_faces(flux, [](double q, double m, double s) { return q - m * s; }, predicted, mobility, scratch);
+            map_faces(
+                flux, [](double q, double m, double s) { return q - m * s; }, predicted, mobility, scratch);
         },
         reads(beside(fluid.psi), beside(fluid.psi_gradient), face_mobility_, fluid.predicted_flux),
         writes(fluid.face_scratch, fluid_.state().flux));
@@ -183,19 +188,24 @@ void CoupledStep::declare_correction(tasks::StageGraph& graph)
         "correct velocity with grains",
         [](LocalBlock, Vectors change, View<const double> response, Vectors gradient, VectorView<double> u) {
             for (int c = 0; c < 3; ++c)
-                map_cells(u.component(c), [](double v, double du, double r, double g) { return v + (du - r * g); }, u.component(c),
-                          change.component(c), response, gradient.component(c));
+                map_cells(
+                    u.component(c), [](double v, double du, double r, double g) { return v + (du - r * g); }, u.component(c),
+                    change.component(c), response, gradient.component(c));
         },
         reads(f.change, f.response, fluid.psi_gradient), updates(state.velocity));
     graph.each_block(
         "acceleration of fluid",
         [](LocalBlock, Vectors u, Vectors advected, const FluidClock& clock, VectorView<double> out) {
-            map_components(out, [per_dt = 1.0 / clock.dt](double v, double a) { return per_dt * (v - a); }, u, advected);
+            map_components(
+                out, [per_dt = 1.0 / clock.dt](double v, double a) { return per_dt * (v - a); }, u, advected);
         },
         reads(state.velocity, f.advected, clock_), writes(f.acceleration));
     graph.each_block(
         "correct pressure with grains",
-        [](LocalBlock, View<const double> change, View<double> p) { map_cells(p, [](double old, double d) { return old + d; }, p, change); },
+        [](LocalBlock, View<const double> change, View<double> p) {
+            map_cells(
+                p, [](double old, double d) { return old + d; }, p, change);
+        },
         reads(fluid.psi), updates(state.pressure));
     graph.sink(f.acceleration);
     graph.sink(state.pressure);
@@ -208,8 +218,10 @@ void CoupledStep::declare_fraction(tasks::StageGraph& graph)
     graph.each_block(
         "fluid fraction",
         [](LocalBlock, GrainSumViews sums, View<double> fraction, View<double> before) {
-            map_cells(before, [](double phi) { return phi; }, fraction);
-            map_cells(fraction, [](double c) { return 1.0 - c; }, sums[sum_solid]);
+            map_cells(
+                before, [](double phi) { return phi; }, fraction);
+            map_cells(
+                fraction, [](double c) { return 1.0 - c; }, sums[sum_solid]);
         },
         reads(f.sums), updates(f.fraction), writes(f.fraction_before));
     graph.sink(f.fraction);

@@ -5,8 +5,8 @@
 #include "physics/fluid/boundary_halo.hpp"
 #include "physics/fluid/cell_loops.hpp"
 #include "physics/fluid/mobility.hpp"
-#include "physics/steps/coupled_step.hpp"
 #include "physics/steps/batch_filter.hpp"
+#include "physics/steps/coupled_step.hpp"
 #include <algorithm>
 
 namespace physics {
@@ -20,7 +20,9 @@ core::ScalarField volumes(const core::Mesh& mesh)
 {
     core::ScalarField volume({"volume", "m3", 0, false}, mesh.own_cells());
     volume.allocate();
-    for (LocalBlock b = 0; b < mesh.own_count(); ++b) map_cells(volume.on(b), [](double v) { return v; }, mesh.geometry(b).volume.view());
+    for (LocalBlock b = 0; b < mesh.own_count(); ++b)
+        map_cells(
+            volume.on(b), [](double v) { return v; }, mesh.geometry(b).volume.view());
     return volume;
 }
 
@@ -43,7 +45,8 @@ tasks::Job CoupledStep::find_fraction(tasks::Lane& lane)
         if (filter) co_await set_up(lane, filter->own, {&faces, links.spreading, nullptr}, volume);
     co_await sum_over_grains(lane, {dynamics_.particles, fields_.told, 0.0, places_.get(), holds_.get()}, filter_.own, fields_.sums);
     for (LocalBlock b = 0; b < mesh_.own_count(); ++b)
-        map_cells(fields_.fraction.on(b), [](double c) { return 1.0 - c; }, fields_.sums.on(b)[sum_solid]);
+        map_cells(
+            fields_.fraction.on(b), [](double c) { return 1.0 - c; }, fields_.sums.on(b)[sum_solid]);
 }
 
 tasks::Job CoupledStep::initialise(tasks::Lane& lane)
@@ -61,7 +64,8 @@ StabilityNumbers CoupledStep::stability(double dt, double bed_stiffness) const
     }
     const double fluid_share = 1.0 - std::min(n.solid_fraction, 1.0 - smallest_closure_fraction);
     for (int g = 0; g < dynamics_.particles.owned; ++g) {
-        const double ratio = dynamics_.particles.mass[std::size_t(g)] / (parameters_.fluid_density * exchange_.volume(dynamics_.particles, g));
+        const double ratio =
+            dynamics_.particles.mass[std::size_t(g)] / (parameters_.fluid_density * exchange_.volume(dynamics_.particles, g));
         const double rate = exchange_.drag_rate(dynamics_.particles, g, fluid_share);
         n.stiffness = std::max(n.stiffness, dt * rate);
         n.softness = std::max(n.softness, rate * dynamics_.particles.mass[std::size_t(g)] / (dt * bed_stiffness));

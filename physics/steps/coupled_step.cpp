@@ -15,13 +15,25 @@ using Vectors = VectorView<const double>;
 
 CoupledStep::CoupledStep(const core::Locator& locator, const core::Communicator& ranks, tasks::HaloFiller& halos, FluidStep& fluid,
                          ParticleDynamics& grains, ParticleStepper& stepper, const CouplingParameters& parameters)
-    : mesh_(locator.mesh()), ranks_(ranks), fluid_(fluid), dynamics_(grains), stepper_(stepper), parameters_(parameters), locator_(locator),
-      halos_(halos), plan_(mesh_, ranks, 1, 1, core::HaloShape::full), fields_(mesh_),
+    : mesh_(locator.mesh()),
+      ranks_(ranks),
+      fluid_(fluid),
+      dynamics_(grains),
+      stepper_(stepper),
+      parameters_(parameters),
+      locator_(locator),
+      halos_(halos),
+      plan_(mesh_, ranks, 1, 1, core::HaloShape::full),
+      fields_(mesh_),
       exchange_(parameters, add_wet_columns(grains.particles), add_exchange_columns(grains.particles, parameters)),
       filter_("filter", make_mesh_links(mesh_, ranks.rank()).topology, parameters.filter_width),
       face_mobility_({"mobility on faces", "m3 s/kg", 0, false}, mesh_.own_cells()),
       known_face_mobility_({"mobility of the known pressure on faces", "m3 s/kg", 0, false}, mesh_.own_cells()),
-      grains_("grains", grains), clock_("fluid clock", fluid.state().clock), places_("places of grains"), holds_("hold of grains"), kept_("grains at the start"),
+      grains_("grains", grains),
+      clock_("fluid clock", fluid.state().clock),
+      places_("places of grains"),
+      holds_("hold of grains"),
+      kept_("grains at the start"),
       assumed_("assumed grains")
 {
     core::require<core::ConfigError>(mesh_.topology().joints.interfaces.empty(),
@@ -113,7 +125,9 @@ void CoupledStep::declare_grain_load(tasks::StageGraph& graph)
         reads(f.told, f.vorticity, halo(f.fraction, 1), clock_, places_), updates(grains_, holds_));
     graph.whole(
         "keep grains",
-        [](tasks::Lane&, const ParticleDynamics& grains, GrainState& kept) { kept = {grains.particles, grains.history}; },
+        [](tasks::Lane&, const ParticleDynamics& grains, GrainState& kept) {
+            kept = {grains.particles, grains.history};
+        },
         reads(grains_), writes(kept_));
 }
 
@@ -122,7 +136,8 @@ void CoupledStep::declare_restart_of_grains(tasks::StageGraph& graph)
     graph.whole(
         "load grains again",
         [this](tasks::Lane& lane, const core::FieldBatch<told_views>& told, const core::FieldBatch<3>& vorticity,
-               const core::ScalarField& fraction, const FluidClock& clock, GrainState& kept, GrainPlaces& places, ParticleDynamics& grains) {
+               const core::ScalarField& fraction, const FluidClock& clock, GrainState& kept, GrainPlaces& places,
+               ParticleDynamics& grains) {
             places.locate(mesh_, locator_, grains.domain(), kept.particles);
             const GrainTable table = sample(lane.team(), places, std::size_t(kept.particles.owned), told, vorticity);
             exchange_.revise(kept.particles, table, fractions_at(places, kept.particles, fraction));
@@ -133,7 +148,8 @@ void CoupledStep::declare_restart_of_grains(tasks::StageGraph& graph)
         reads(fields_.told, fields_.vorticity, halo(fields_.fraction, 1), clock_), updates(kept_, places_, grains_));
 }
 
-std::vector<double> CoupledStep::fractions_at(const GrainPlaces& places, const core::ParticleSet& grains, const core::ScalarField& fraction) const
+std::vector<double> CoupledStep::fractions_at(const GrainPlaces& places, const core::ParticleSet& grains,
+                                              const core::ScalarField& fraction) const
 {
     std::vector<double> fractions(std::size_t(grains.owned));
     for (LocalBlock b = 0; b < mesh_.own_count(); ++b) places.sample(b, fraction.on(b), fractions);
@@ -144,9 +160,7 @@ void CoupledStep::declare_grain_sums(tasks::StageGraph& graph)
 {
     graph.whole(
         "move grains",
-        [this](tasks::Lane& lane, ParticleDynamics&) {
-            return move_grains(lane, stepper_, WetMotion{exchange_.wet_columns()}, sub_steps);
-        },
+        [this](tasks::Lane& lane, ParticleDynamics&) { return move_grains(lane, stepper_, WetMotion{exchange_.wet_columns()}, sub_steps); },
         updates(grains_));
     graph.whole(
         "sum over grains",
@@ -193,7 +207,9 @@ tasks::Job CoupledStep::sum_over_grains(tasks::Lane& lane, MovedGrains moved, Fi
     });
     co_await send_home(lane, mesh_, plan_, sums);
     lane.team().run(mesh_.own_count(), [&](int b) {
-        for (const auto& field : sums.on(b)) map_cells(field, [](double q, double volume) { return q / volume; }, field, geometry(b).volume.view());
+        for (const auto& field : sums.on(b))
+            map_cells(
+                field, [](double q, double volume) { return q / volume; }, field, geometry(b).volume.view());
     });
     co_await filter_batch(lane, filter, sums, exchange_.sums());
 }
@@ -218,8 +234,8 @@ void CoupledStep::declare_owed(tasks::StageGraph& graph)
     auto& f = fields_;
     graph.whole(
         "owe grains",
-        [this](tasks::Lane& lane, const core::FieldBatch<told_views>& told, const core::FieldBatch<grain_news>& news, const GrainPlaces& places,
-               const GrainHolds& holds, const FluidClock& clock, ParticleDynamics& grains) {
+        [this](tasks::Lane& lane, const core::FieldBatch<told_views>& told, const core::FieldBatch<grain_news>& news,
+               const GrainPlaces& places, const GrainHolds& holds, const FluidClock& clock, ParticleDynamics& grains) {
             const auto count = std::size_t(grains.particles.owned);
             const GrainTable before = sample(lane.team(), places, count, told), after = sample(lane.team(), places, count, news);
             exchange_.owe(grains.particles, {before, holds, clock.dt}, after);

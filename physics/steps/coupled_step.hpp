@@ -85,7 +85,7 @@ private:
     struct MovedGrains {
         const core::ParticleSet& grains;
         const core::FieldBatch<told_views>& told;
-        double dt; ///< [s]
+        double dt;           ///< [s]
         GrainPlaces& places; ///< found
         GrainHolds& holds;   ///< found
     };
@@ -131,14 +131,14 @@ private:
     ExchangeFields fields_;
     GrainExchange exchange_;
     Company company_;
-    LaneFilter filter_;                       ///< of the grain lane
+    LaneFilter filter_;                        ///< of the grain lane
     std::unique_ptr<LaneFilter> fluid_filter_; ///< of a fluid lane that does not wait for the grains
     core::FaceField face_mobility_, known_face_mobility_;
     tasks::Part<ParticleDynamics> grains_;
     tasks::Part<FluidClock> clock_;
     tasks::Value<GrainPlaces> places_;
     tasks::Value<GrainHolds> holds_;
-    tasks::Value<GrainState> kept_; ///< loaded, before the first sub-step: where a repeated pass begins
+    tasks::Value<GrainState> kept_;       ///< loaded, before the first sub-step: where a repeated pass begins
     tasks::Value<AssumedGrains> assumed_; ///< empty unless a mode needs them
 };
 

@@ -24,15 +24,19 @@ using Vectors = VectorView<const double>;
 void CoupledStep::view_state(LocalBlock b, Vectors u, View<const double> p, Vectors acceleration, std::span<const View<double>> out) const
 {
     const auto force = vector_of(out, view_pressure_force);
-    map_components(vector_of(out, view_velocity), [](double x) { return x; }, u);
+    map_components(
+        vector_of(out, view_velocity), [](double x) { return x; }, u);
     gradient(geometry(b), pressure_matrices(geometry(b), fluid_.walls()[std::size_t(b)]), p, force);
-    map_components(force, [](double x) { return -x; }, force);
-    map_components(vector_of(out, view_acceleration), [](double x) { return x; }, acceleration);
+    map_components(
+        force, [](double x) { return -x; }, force);
+    map_components(
+        vector_of(out, view_acceleration), [](double x) { return x; }, acceleration);
 }
 
 void CoupledStep::view_stress_in(std::span<const View<double>> out, Vectors viscous) const
 {
-    map_components(vector_of(out, 0), [rho = parameters_.fluid_density](double a) { return rho * a; }, viscous);
+    map_components(
+        vector_of(out, 0), [rho = parameters_.fluid_density](double a) { return rho * a; }, viscous);
 }
 
 tasks::Job CoupledStep::tell_state(tasks::Lane& lane)
@@ -57,7 +61,10 @@ void CoupledStep::declare_viscosity(tasks::StageGraph& graph)
     if (!viscous()) return;
     graph.each_block(
         "viscous acceleration of the old velocity",
-        [](LocalBlock, Vectors known, VectorView<double> acceleration) { map_components(acceleration, [](double a) { return a; }, known); },
+        [](LocalBlock, Vectors known, VectorView<double> acceleration) {
+            map_components(
+                acceleration, [](double a) { return a; }, known);
+        },
         reads(fields_.viscous), writes(fluid_.fields().viscous));
 }
 
@@ -89,7 +96,8 @@ void CoupledStep::declare_answer(tasks::StageGraph& graph, Mode mode, Pass pass)
                std::array<View<double>, grain_news> news) {
             view_state(b, u, p, acceleration, news);
             for (int c = 0; c < 3; ++c)
-                map_cells(news[news_projection + std::size_t(c)], [](double r, double g) { return -r * g; }, response, psi_gradient.component(c));
+                map_cells(
+                    news[news_projection + std::size_t(c)], [](double r, double g) { return -r * g; }, response, psi_gradient.component(c));
         },
         reads(state.velocity, beside(state.pressure), f.acceleration, f.response, fluid.psi_gradient), writes(f.news));
     if (tells_stress(pass) || spins()) fluid_.declare_velocity_gradients(graph);
@@ -105,7 +113,7 @@ void CoupledStep::declare_answer(tasks::StageGraph& graph, Mode mode, Pass pass)
     graph.whole(
         "filter answer for grains",
         [this, arrays = std::size_t(tells_stress(pass) ? grain_news : news_views)](tasks::Lane& lane, core::FieldBatch<grain_news>& news,
-                                                                                        Filter& filter) -> tasks::Job {
+                                                                                   Filter& filter) -> tasks::Job {
             co_await filter_batch(lane, filter, news, arrays);
             co_await fill_for_sampling(lane, mesh_, plan_, news);
         },

@@ -29,25 +29,26 @@ struct FluidFields {
           throughput({"throughput", "m3/s", 0, false}, mesh.own_cells()),
           removed_outflow({"removed outflow", "m3/s", 0, false}, mesh.own_cells()),
           psi({"pressure impulse", "m2/s", 1, false}, mesh.own_cells()),
-          psi_gradient({"gradient of pressure impulse", "m/s", 1, false}, mesh.own_cells()), viscosity_ratio(mesh.own_cells())
+          psi_gradient({"gradient of pressure impulse", "m/s", 1, false}, mesh.own_cells()),
+          viscosity_ratio(mesh.own_cells())
     {
     }
 
     core::VectorField pressure_gradient, gradient_x, gradient_y, gradient_z;
-    core::VectorField viscous;        ///< explicit, at the start of the step
-    core::VectorField source;         ///< what is interpolated at the departure points
-    core::VectorField transport;      ///< what carries: velocity as the fluxes through the faces of a cell have it
+    core::VectorField viscous;   ///< explicit, at the start of the step
+    core::VectorField source;    ///< what is interpolated at the departure points
+    core::VectorField transport; ///< what carries: velocity as the fluxes through the faces of a cell have it
     core::VectorField index_velocity, displacement;
     core::VectorField advected;       ///< source at the departure points
     core::VectorField predicted;      ///< before the projection
     core::VectorField viscous_change; ///< by implicit viscosity: a guess, then what it came to
     core::FaceField face_scratch, predicted_flux;
-    core::FaceField remembered_flux;       ///< of flux_memory.hpp
-    core::ScalarField remembered_outflow;  ///< what the solver left of the net outflow of the last flux
-    core::ScalarField outflow;        ///< of the predicted flux
-    core::ScalarField throughput;     ///< half the sum of the magnitudes of the fluxes of a cell
-    core::ScalarField removed_outflow; ///< what the projection took away of it
-    core::ScalarField psi;            ///< mobility * pressure increment
+    core::FaceField remembered_flux;      ///< of flux_memory.hpp
+    core::ScalarField remembered_outflow; ///< what the solver left of the net outflow of the last flux
+    core::ScalarField outflow;            ///< of the predicted flux
+    core::ScalarField throughput;         ///< half the sum of the magnitudes of the fluxes of a cell
+    core::ScalarField removed_outflow;    ///< what the projection took away of it
+    core::ScalarField psi;                ///< mobility * pressure increment
     core::VectorField psi_gradient;
     ViscosityRatio viscosity_ratio; ///< none without turbulence
 };

@@ -12,7 +12,11 @@ using tasks::beside, tasks::reads, tasks::updates, tasks::writes;
 using Vectors = VectorView<const double>;
 
 FluidFlux::FluidFlux(const core::Mesh& mesh, FluidStep& fluid, CoupledStep* coupling, const std::string& carried)
-    : mesh_(mesh), fluid_(fluid), coupling_(coupling), carried_(carried), mean_({"flux that carries " + carried, "m3/s", 0, false}, mesh.own_cells()),
+    : mesh_(mesh),
+      fluid_(fluid),
+      coupling_(coupling),
+      carried_(carried),
+      mean_({"flux that carries " + carried, "m3/s", 0, false}, mesh.own_cells()),
       scratch_({"flux of grains beside " + carried, "m3/s", 0, false}, mesh.own_cells()),
       solid_({"flux density of grains beside " + carried, "m/s", 1, false}, mesh.own_cells())
 {
@@ -23,7 +27,9 @@ void FluidFlux::declare_solid(tasks::StageGraph& graph)
     graph.each_block(
         "flux density of grains beside " + carried_,
         [](LocalBlock, GrainSumViews sums, VectorView<double> out) {
-            for (std::size_t c = 0; c < 3; ++c) map_cells(out.component(int(c)), [](double q) { return q; }, sums[sum_flux + c]);
+            for (std::size_t c = 0; c < 3; ++c)
+                map_cells(
+                    out.component(int(c)), [](double q) { return q; }, sums[sum_flux + c]);
         },
         reads(coupling_->fields().sums), writes(solid_));
 }
@@ -33,7 +39,10 @@ void FluidFlux::declare_old_half(tasks::StageGraph& graph)
     if (!coupling_) {
         graph.each_block(
             "flux that carries " + carried_ + ", old half",
-            [](LocalBlock, FaceView<const double> flux, FaceView<double> mean) { map_faces(mean, [](double f) { return 0.5 * f; }, flux); },
+            [](LocalBlock, FaceView<const double> flux, FaceView<double> mean) {
+                map_faces(
+                    mean, [](double f) { return 0.5 * f; }, flux);
+            },
             reads(fluid_.state().flux), writes(mean_));
         return;
     }
@@ -47,7 +56,8 @@ void FluidFlux::declare_old_half(tasks::StageGraph& graph)
             const BlockWalls& walls = fluid_.walls()[std::size_t(b)];
             interpolated_flux(mesh_.geometry(b), walls, solid, of_grains);
             close_walls(walls, of_grains);
-            map_faces(mean, [](double f, double s) { return 0.5 * (f - s); }, flux, of_grains);
+            map_faces(
+                mean, [](double f, double s) { return 0.5 * (f - s); }, flux, of_grains);
         },
         reads(fluid_.state().flux, beside(solid_)), writes(scratch_, mean_));
 }
@@ -58,7 +68,8 @@ void FluidFlux::declare_new_half(tasks::StageGraph& graph, Grains grains)
         graph.each_block(
             "flux that carries " + carried_ + ", new half",
             [](LocalBlock, FaceView<const double> flux, FaceView<double> mean) {
-                map_faces(mean, [](double m, double f) { return m + 0.5 * f; }, mean, flux);
+                map_faces(
+                    mean, [](double m, double f) { return m + 0.5 * f; }, mean, flux);
             },
             reads(fluid_.state().flux), updates(mean_));
         return;
@@ -70,7 +81,8 @@ void FluidFlux::declare_new_half(tasks::StageGraph& graph, Grains grains)
             const BlockWalls& walls = fluid_.walls()[std::size_t(b)];
             interpolated_flux(mesh_.geometry(b), walls, solid, of_grains);
             close_walls(walls, of_grains);
-            map_faces(mean, [](double m, double f, double s) { return m + 0.5 * (f - s); }, mean, flux, of_grains);
+            map_faces(
+                mean, [](double m, double f, double s) { return m + 0.5 * (f - s); }, mean, flux, of_grains);
         },
         reads(fluid_.state().flux, beside(solid_)), writes(scratch_), updates(mean_));
 }
@@ -80,11 +92,18 @@ void FluidFlux::declare_shares(tasks::StageGraph& graph, core::ScalarField& out)
     if (coupling_)
         graph.each_block(
             "share of the carrier of " + carried_,
-            [](LocalBlock, core::View<const double> phi, core::View<double> share) { map_cells(share, [](double x) { return x; }, phi); },
+            [](LocalBlock, core::View<const double> phi, core::View<double> share) {
+                map_cells(
+                    share, [](double x) { return x; }, phi);
+            },
             reads(coupling_->fields().fraction), writes(out));
     else
         graph.each_block(
-            "share of the carrier of " + carried_, [](LocalBlock, core::View<double> share) { map_cells(share, [](double) { return 1.0; }, share); },
+            "share of the carrier of " + carried_,
+            [](LocalBlock, core::View<double> share) {
+                map_cells(
+                    share, [](double) { return 1.0; }, share);
+            },
             writes(out));
 }
 

@@ -21,7 +21,9 @@ void FluidStep::declare_projection(tasks::StageGraph& graph)
     graph.whole(
         "solve pressure",
         [this](tasks::Lane& lane, const core::ScalarField& outflow, const core::ScalarField& throughput, const FluidClock& clock,
-               core::ScalarField& psi) { return pressure_system_.solve(lane, {outflow, throughput, 1.0 - clock.memory()}, psi); },
+               core::ScalarField& psi) {
+            return pressure_system_.solve(lane, {outflow, throughput, 1.0 - clock.memory()}, psi);
+        },
         reads(fields_.outflow, fields_.throughput, clock_), writes(fields_.psi));
     declare_correction(graph);
 }
@@ -41,8 +43,7 @@ void FluidStep::declare_flux_memory(tasks::StageGraph& graph, core::VectorField&
 void FluidStep::declare_interpolated_flux(tasks::StageGraph& graph, core::VectorField& carried)
 {
     graph.each_block(
-        "face flux",
-        [this](LocalBlock b, Vectors u, FaceView<double> flux) { interpolated_flux(geometry(b), walls_of(b), u, flux); },
+        "face flux", [this](LocalBlock b, Vectors u, FaceView<double> flux) { interpolated_flux(geometry(b), walls_of(b), u, flux); },
         reads(beside(carried)), writes(fields_.predicted_flux));
 }
 
@@ -80,7 +81,9 @@ void FluidStep::declare_impulse_gradient(tasks::StageGraph& graph)
 {
     graph.each_block(
         "gradient of pressure impulse",
-        [this](LocalBlock b, View<const double> psi, VectorView<double> out) { gradient(geometry(b), pressure_matrices(geometry(b), walls_of(b)), psi, out); },
+        [this](LocalBlock b, View<const double> psi, VectorView<double> out) {
+            gradient(geometry(b), pressure_matrices(geometry(b), walls_of(b)), psi, out);
+        },
         reads(beside(fields_.psi)), writes(fields_.psi_gradient));
 }
 
@@ -88,7 +91,10 @@ void FluidStep::declare_old_velocity(tasks::StageGraph& graph)
 {
     graph.each_block(
         "remember velocity",
-        [](LocalBlock, Vectors u, VectorView<double> before) { map_components(before, [](double x) { return x; }, u); },
+        [](LocalBlock, Vectors u, VectorView<double> before) {
+            map_components(
+                before, [](double x) { return x; }, u);
+        },
         reads(state_.velocity), writes(state_.velocity_before));
 }
 
@@ -98,9 +104,10 @@ void FluidStep::declare_correction(tasks::StageGraph& graph)
     declare_impulse_gradient(graph);
     graph.each_block(
         "correct face flux",
-        [this](LocalBlock b, View<const double> psi, Vectors g, FaceView<const double> predicted, FaceView<double> scratch, FaceView<double> flux,
-               View<double> removed) {
-            map_faces(flux, [](double x) { return x; }, predicted);
+        [this](LocalBlock b, View<const double> psi, Vectors g, FaceView<const double> predicted, FaceView<double> scratch,
+               FaceView<double> flux, View<double> removed) {
+            map_faces(
+                flux, [](double x) { return x; }, predicted);
             correct_flux(geometry(b), walls_of(b), psi, g, scratch, flux);
             net_outflow(scratch, removed);
         },
@@ -109,7 +116,8 @@ void FluidStep::declare_correction(tasks::StageGraph& graph)
     graph.each_block(
         "correct velocity",
         [](LocalBlock, Vectors predicted, Vectors g, VectorView<double> u) {
-            map_components(u, [](double x, double gradient) { return x - gradient; }, predicted, g);
+            map_components(
+                u, [](double x, double gradient) { return x - gradient; }, predicted, g);
         },
         reads(f.predicted, f.psi_gradient), writes(state_.velocity));
     declare_budget(graph); // of the pressure that has acted
@@ -120,8 +128,9 @@ void FluidStep::declare_correction(tasks::StageGraph& graph)
             // van de Vosse 1996). Only what the solver removed counts: the rest comes back, and would pile up.
             const double per_psi = parameters_.density / clock.dt;
             const double per_divergence = parameters_.density * parameters_.viscosity * clock.implicit_share();
-            map_cells(p, [=](double old, double s, double out, double volume) { return old + (per_psi * s - per_divergence * out / volume); },
-                      p, psi, outflow, geometry(b).volume.view());
+            map_cells(
+                p, [=](double old, double s, double out, double volume) { return old + (per_psi * s - per_divergence * out / volume); }, p,
+                psi, outflow, geometry(b).volume.view());
         },
         reads(f.psi, f.removed_outflow, clock_), updates(state_.pressure));
 }
@@ -131,9 +140,9 @@ void FluidStep::declare_budget(tasks::StageGraph& graph)
     auto& f = fields_;
     graph.each_block(
         "momentum budget",
-        [this](LocalBlock b, Vectors u, Vectors before, Vectors source, Vectors advected, Vectors gp, Vectors predicted, Vectors psi_gradient,
-               View<const double> pressure, View<const double> impulse, FaceView<const double> carrier, const FaceFactors& factors,
-               const FluidClock& clock, MomentumBudget& budget) {
+        [this](LocalBlock b, Vectors u, Vectors before, Vectors source, Vectors advected, Vectors gp, Vectors predicted,
+               Vectors psi_gradient, View<const double> pressure, View<const double> impulse, FaceView<const double> carrier,
+               const FaceFactors& factors, const FluidClock& clock, MomentumBudget& budget) {
             const auto sum = [&](Vectors q) { return volume_sum(geometry(b), q); };
             const double dt = clock.dt, per_density = dt / parameters_.density, implicit = clock.implicit_share();
             const double volume = sum_cells([](double v) { return v; }, geometry(b).volume.view());
@@ -142,10 +151,12 @@ void FluidStep::declare_budget(tasks::StageGraph& graph)
             budget.through = dt * through_flow(geometry(b), walls_of(b), carrier, before);
             budget.advection = sum(advected) - sum(source) - budget.through;
             budget.drive = dt * volume * mean_acceleration(parameters_.drive, clock.drive, clock.time, dt);
-            budget.pressure = per_density * wall_push(geometry(b), walls_of(b), pressure, 1) + wall_push(geometry(b), walls_of(b), impulse, 0);
+            budget.pressure =
+                per_density * wall_push(geometry(b), walls_of(b), pressure, 1) + wall_push(geometry(b), walls_of(b), impulse, 0);
             budget.gradient = -per_density * sum(gp) - sum(psi_gradient) - budget.pressure;
-            budget.viscosity = dt * parameters_.viscosity * ((1 - implicit) * wall_friction(geometry(b), walls_of(b), before, factors) +
-                                                             implicit * wall_friction(geometry(b), walls_of(b), predicted, factors));
+            budget.viscosity = dt * parameters_.viscosity *
+                               ((1 - implicit) * wall_friction(geometry(b), walls_of(b), before, factors) +
+                                implicit * wall_friction(geometry(b), walls_of(b), predicted, factors));
         },
         reads(state_.velocity, state_.velocity_before, f.source, f.advected, f.pressure_gradient, f.predicted, f.psi_gradient,
               state_.pressure, f.psi, state_.flux, f.viscosity_ratio, clock_),

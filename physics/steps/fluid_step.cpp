@@ -16,8 +16,14 @@ using core::FaceView, core::LocalBlock, core::VectorView, core::View;
 using tasks::beside, tasks::halo, tasks::reads, tasks::updates, tasks::writes;
 
 FluidStep::FluidStep(const core::Mesh& mesh, const core::Communicator& ranks, tasks::HaloFiller& halos, const FluidParameters& parameters)
-    : mesh_(mesh), halos_(halos), parameters_(parameters), walls_(make_walls(mesh, parameters.boundaries)), state_(mesh), fields_(mesh),
-      clock_("fluid clock", state_.clock), pressure_system_(system_context(), ranks, parameters.tolerances),
+    : mesh_(mesh),
+      halos_(halos),
+      parameters_(parameters),
+      walls_(make_walls(mesh, parameters.boundaries)),
+      state_(mesh),
+      fields_(mesh),
+      clock_("fluid clock", state_.clock),
+      pressure_system_(system_context(), ranks, parameters.tolerances),
       budget_("momentum budget", std::size_t(mesh.own_count()))
 {
     require_balance(ranks);
@@ -67,7 +73,9 @@ void FluidStep::declare_pressure_gradient(tasks::StageGraph& graph)
 {
     graph.each_block(
         "gradient of pressure",
-        [this](LocalBlock b, View<const double> p, VectorView<double> gp) { gradient(geometry(b), pressure_matrices(geometry(b), walls_of(b)), p, gp); },
+        [this](LocalBlock b, View<const double> p, VectorView<double> gp) {
+            gradient(geometry(b), pressure_matrices(geometry(b), walls_of(b)), p, gp);
+        },
         reads(beside(state_.pressure)), writes(fields_.pressure_gradient));
 }
 
@@ -89,8 +97,9 @@ void FluidStep::declare_predictor(tasks::StageGraph& graph)
             const core::Vec3 drive = mean_acceleration(parameters_.drive, clock.drive, clock.time, clock.dt);
             const double half = 0.5 * clock.dt / parameters_.density;
             for (int c = 0; c < 3; ++c)
-                map_cells(predicted.component(c), [half, gain = clock.dt * drive[c]](double u, double g) { return u + (gain - half * g); },
-                          advected.component(c), gp.component(c));
+                map_cells(
+                    predicted.component(c), [half, gain = clock.dt * drive[c]](double u, double g) { return u + (gain - half * g); },
+                    advected.component(c), gp.component(c));
         },
         reads(f.advected, f.pressure_gradient, clock_), writes(f.predicted));
     declare_viscous_guess(graph);
@@ -126,7 +135,8 @@ void FluidStep::declare_advection(tasks::StageGraph& graph)
             "velocity to advect",
             [this](LocalBlock, Vectors u, Vectors gp, Vectors viscous, const FluidClock& clock, VectorView<double> q) {
                 const double half = 0.5 * clock.dt / parameters_.density, share = clock.dt * (1 - clock.implicit_share());
-                map_components(q, [=](double v, double g, double a) { return v + (share * a - half * g); }, u, gp, viscous);
+                map_components(
+                    q, [=](double v, double g, double a) { return v + (share * a - half * g); }, u, gp, viscous);
             },
             reads(state_.velocity, f.pressure_gradient, f.viscous, clock_), writes(f.source));
     else
@@ -134,7 +144,8 @@ void FluidStep::declare_advection(tasks::StageGraph& graph)
             "velocity to advect",
             [this](LocalBlock, Vectors u, Vectors gp, const FluidClock& clock, VectorView<double> q) {
                 const double half = 0.5 * clock.dt / parameters_.density;
-                map_components(q, [=](double v, double g) { return v - half * g; }, u, gp);
+                map_components(
+                    q, [=](double v, double g) { return v - half * g; }, u, gp);
             },
             reads(state_.velocity, f.pressure_gradient, clock_), writes(f.source));
     graph.each_block(
@@ -166,7 +177,8 @@ void FluidStep::declare_viscous_guess(tasks::StageGraph& graph)
     graph.each_block(
         "guess of viscous change",
         [](LocalBlock, Vectors viscous, const FluidClock& clock, VectorView<double> change) {
-            map_components(change, [step = clock.implicit_share() * clock.dt](double a) { return step * a; }, viscous);
+            map_components(
+                change, [step = clock.implicit_share() * clock.dt](double a) { return step * a; }, viscous);
         },
         reads(f.viscous, clock_), writes(f.viscous_change));
 }
@@ -180,12 +192,13 @@ void FluidStep::declare_implicit_viscosity(tasks::StageGraph& graph)
         if (!f.viscosity_ratio.used()) return;
         graph.each_block(
             name,
-            [this](LocalBlock b, Vectors gx, Vectors gy, Vectors gz, const FaceFactors& ratio, const FluidClock& clock, FaceView<double> scratch,
-                   VectorView<double> out) {
+            [this](LocalBlock b, Vectors gx, Vectors gy, Vectors gz, const FaceFactors& ratio, const FluidClock& clock,
+                   FaceView<double> scratch, VectorView<double> out) {
                 const TransposedStress stress{geometry(b), walls_of(b), parameters_.viscosity, {gx, gy, gz}, *ratio};
                 add_transposed_stress(stress, clock.implicit_share() * clock.dt, scratch, out);
             },
-            reads(beside(f.gradient_x), beside(f.gradient_y), beside(f.gradient_z), f.viscosity_ratio, clock_), writes(f.face_scratch), updates(to));
+            reads(beside(f.gradient_x), beside(f.gradient_y), beside(f.gradient_z), f.viscosity_ratio, clock_), writes(f.face_scratch),
+            updates(to));
     };
     add_known("transposed turbulent stress", f.predicted);
     graph.whole(

@@ -43,7 +43,8 @@ void FluidStep::declare_viscous_acceleration(tasks::StageGraph& graph, core::Vec
     auto& f = fields_;
     graph.each_block(
         "viscous acceleration",
-        [this](LocalBlock b, Vectors u, Vectors gx, Vectors gy, Vectors gz, const FaceFactors&, FaceView<double> scratch, VectorView<double> out) {
+        [this](LocalBlock b, Vectors u, Vectors gx, Vectors gy, Vectors gz, const FaceFactors&, FaceView<double> scratch,
+               VectorView<double> out) {
             viscous_acceleration(b, u, {gx, gy, gz}, scratch, out);
         },
         reads(beside(state_.velocity), beside(f.gradient_x), beside(f.gradient_y), beside(f.gradient_z), f.viscosity_ratio),

@@ -85,8 +85,8 @@ struct SevenPointSystem {
 
 } // namespace
 
-tasks::Job solve(tasks::Lane& lane, SevenPointSolver& solver, const KrylovOptions& options, std::span<double> right,
-                 std::span<double> x, KrylovReport& report)
+tasks::Job solve(tasks::Lane& lane, SevenPointSolver& solver, const KrylovOptions& options, std::span<double> right, std::span<double> x,
+                 KrylovReport& report)
 {
     SevenPointSystem system{solver};
     co_await announce_right(lane, solver, right);

@@ -27,7 +27,7 @@ tasks::Job precondition(tasks::Lane& lane, SevenPointSolver& solver, std::span<c
 /// The 7-point system by flexible conjugate gradients.
 /// @param right  Its mean is removed if the system is singular.
 /// @param x      First guess in, solution out.
-tasks::Job solve(tasks::Lane& lane, SevenPointSolver& solver, const KrylovOptions& options, std::span<double> right,
-                 std::span<double> x, KrylovReport& report);
+tasks::Job solve(tasks::Lane& lane, SevenPointSolver& solver, const KrylovOptions& options, std::span<double> right, std::span<double> x,
+                 KrylovReport& report);
 
 } // namespace physics

@@ -9,13 +9,19 @@
 namespace physics {
 
 PressureSystem::PressureSystem(const SystemContext& context, const core::Communicator& ranks, const FluidTolerances& tolerances)
-    : context_(context), links_(make_mesh_links(context.mesh, ranks.rank(), [&](const core::Boundary& boundary) {
-          return context.walls[std::size_t(context.mesh.local(boundary.block))].at(boundary.side).gives_pressure();
-      })),
-      link_faces_(link_faces(context.mesh, links_)), solver_(links_.topology, {.singular = !context.pressure_is_given}, ranks),
+    : context_(context),
+      links_(make_mesh_links(context.mesh, ranks.rank(),
+                             [&](const core::Boundary& boundary) {
+                                 return context.walls[std::size_t(context.mesh.local(boundary.block))].at(boundary.side).gives_pressure();
+                             })),
+      link_faces_(link_faces(context.mesh, links_)),
+      solver_(links_.topology, {.singular = !context.pressure_is_given}, ranks),
       unknown_(context, solver_.layout(), "pressure change"),
-      coefficients_({"mobile transmissibility", "", 0, false}, context.mesh.own_cells()), link_coefficients_(links_.transmissibility),
-      right_(solver_.layout().size(), 0.0), solution_(solver_.layout().size(), 0.0), norms_(context.mesh, tolerances, !context.pressure_is_given)
+      coefficients_({"mobile transmissibility", "", 0, false}, context.mesh.own_cells()),
+      link_coefficients_(links_.transmissibility),
+      right_(solver_.layout().size(), 0.0),
+      solution_(solver_.layout().size(), 0.0),
+      norms_(context.mesh, tolerances, !context.pressure_is_given)
 {
     coefficients_.allocate();
 }
@@ -42,7 +48,8 @@ tasks::Job PressureSystem::apply(tasks::Lane& lane, std::span<const double> in, 
         if (mobility_) scale_by_mobility(mobility_->on(b), unknown_.flux.on(b));
         const auto outflow = solver_.layout().view(b, out);
         net_outflow(unknown_.flux.on(b), outflow);
-        map_cells(outflow, [](double x) { return -x; }, outflow);
+        map_cells(
+            outflow, [](double x) { return -x; }, outflow);
     });
 }
 
@@ -72,12 +79,14 @@ tasks::Job PressureSystem::solve_loaded(tasks::Lane& lane, FluxesToProject fluxe
     const BlockLayout& layout = solver_.layout();
     std::fill(solution_.begin(), solution_.end(), 0.0);
     unknown_.for_blocks(lane, [&](core::LocalBlock b) {
-        map_cells(layout.view(b, right_), [](double x) { return -x; }, fluxes.outflow.on(b));
+        map_cells(
+            layout.view(b, right_), [](double x) { return -x; }, fluxes.outflow.on(b));
     });
     report_ = {};
     co_await drive(lane, bicgstab(lane.team(), solver_.workspace(), norms_.options(fluxes.share), right_, solution_, report_), *this);
     unknown_.for_blocks(lane, [&](core::LocalBlock b) {
-        map_cells(psi.on(b), [](double x) { return x; }, layout.view(b, solution_));
+        map_cells(
+            psi.on(b), [](double x) { return x; }, layout.view(b, solution_));
     });
 }
 

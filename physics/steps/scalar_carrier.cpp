@@ -18,12 +18,17 @@ core::FieldInfo scratch(const char* name, int halo) { return {name, "", halo, fa
 } // namespace
 
 ScalarCarrier::ScalarCarrier(const SystemContext& context)
-    : context_(context), velocity_(scratch("velocity of the carrier", 1), context.mesh.own_cells()),
-      gradient_(scratch("gradient of a scalar", 1), context.mesh.own_cells()), half_(scratch("scalar in the middle of a step", 1), context.mesh.own_cells()),
-      gain_(scratch("gain of a scalar", 1), context.mesh.own_cells()), loss_(scratch("loss of a scalar", 1), context.mesh.own_cells()),
+    : context_(context),
+      velocity_(scratch("velocity of the carrier", 1), context.mesh.own_cells()),
+      gradient_(scratch("gradient of a scalar", 1), context.mesh.own_cells()),
+      half_(scratch("scalar in the middle of a step", 1), context.mesh.own_cells()),
+      gain_(scratch("gain of a scalar", 1), context.mesh.own_cells()),
+      loss_(scratch("loss of a scalar", 1), context.mesh.own_cells()),
       next_share_(scratch("next share of the carrier", 0), context.mesh.own_cells()),
-      capacity_(scratch("capacity for a scalar", 0), context.mesh.own_cells()), low_(scratch("upwind scalar", 0), context.mesh.own_cells()),
-      net_(scratch("net outflow of a scalar", 0), context.mesh.own_cells()), upwind_(scratch("upwind flux of a scalar", 0), context.mesh.own_cells()),
+      capacity_(scratch("capacity for a scalar", 0), context.mesh.own_cells()),
+      low_(scratch("upwind scalar", 0), context.mesh.own_cells()),
+      net_(scratch("net outflow of a scalar", 0), context.mesh.own_cells()),
+      upwind_(scratch("upwind flux of a scalar", 0), context.mesh.own_cells()),
       added_(scratch("added flux of a scalar", 0), context.mesh.own_cells())
 {
     core::require<core::ConfigError>(context.mesh.topology().joints.interfaces.empty(),
@@ -56,7 +61,8 @@ tasks::Job ScalarCarrier::count_parts(tasks::Lane& lane, const Flow& flow)
         outflow_of_cells(flow.flux.on(b), net_.on(b));
         const core::View<const double> out = net_.on(b), w = flow.share.on(b), volume = geometry(b).volume.view();
         double& most = largest[std::size_t(b)];
-        core::for_each_cell(out.extents(), [&](int i, int j, int k) { most = std::max(most, out(i, j, k) / (w(i, j, k) * volume(i, j, k))); });
+        core::for_each_cell(out.extents(),
+                            [&](int i, int j, int k) { most = std::max(most, out(i, j, k) / (w(i, j, k) * volume(i, j, k))); });
     });
     double rate = 0;
     for (const double r : largest) rate = std::max(rate, r);
@@ -70,8 +76,10 @@ void ScalarCarrier::begin_part(tasks::Lane& lane, const Flow& flow, double dt)
         transport_velocity(geometry(b), flow.flux.on(b), velocity_.on(b));
         net_outflow(flow.flux.on(b), net_.on(b));
         const auto volume = geometry(b).volume.view();
-        map_cells(next_share_.on(b), [dt](double w, double out, double v) { return w - dt * out / v; }, flow.share.on(b), net_.on(b), volume);
-        map_cells(capacity_.on(b), [dt](double w, double v) { return w * v / dt; }, next_share_.on(b), volume);
+        map_cells(
+            next_share_.on(b), [dt](double w, double out, double v) { return w - dt * out / v; }, flow.share.on(b), net_.on(b), volume);
+        map_cells(
+            capacity_.on(b), [dt](double w, double v) { return w * v / dt; }, next_share_.on(b), volume);
     });
 }
 
@@ -114,7 +122,8 @@ tasks::Job ScalarCarrier::carry(tasks::Lane& lane, const Flow& flow, double dt, 
         reduce_fluxes(gain_.on(b), loss_.on(b), added_.on(b));
         const auto out = half_.on(b); // no longer needed
         net_outflow(added_.on(b), out);
-        map_cells(scalar.value->on(b), [](double q, double a, double room) { return q - a / room; }, low_.on(b), out, capacity_.on(b));
+        map_cells(
+            scalar.value->on(b), [](double q, double a, double room) { return q - a / room; }, low_.on(b), out, capacity_.on(b));
     });
 }
 
@@ -125,7 +134,10 @@ tasks::Job ScalarCarrier::carry(tasks::Lane& lane, Flow flow, std::span<const Ca
     for (int part = 0; part < parts_; ++part) {
         begin_part(lane, flow, dt);
         for (const CarriedScalar& scalar : scalars) co_await carry(lane, flow, dt, scalar);
-        for_blocks(lane, [&](core::LocalBlock b) { map_cells(flow.share.on(b), [](double w) { return w; }, next_share_.on(b)); });
+        for_blocks(lane, [&](core::LocalBlock b) {
+            map_cells(
+                flow.share.on(b), [](double w) { return w; }, next_share_.on(b));
+        });
     }
 }
 

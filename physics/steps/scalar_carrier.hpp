@@ -11,7 +11,7 @@ namespace physics {
 
 /// One scalar on its way.
 struct CarriedScalar {
-    core::ScalarField* value;         ///< one halo layer
+    core::ScalarField* value;              ///< one halo layer
     std::span<const EntryValues> entering; ///< of each block of this rank
 };
 

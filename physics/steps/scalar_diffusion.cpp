@@ -25,11 +25,17 @@ void close_boundaries(const BlockWalls& walls, core::Extents cells, core::FaceVi
 } // namespace
 
 ScalarDiffusion::ScalarDiffusion(const SystemContext& context, const BlockLayout& layout)
-    : context_(context), layout_(layout), workspace_(layout, context.mesh.blocks(), std::ptrdiff_t(context.mesh.total_cells())),
-      change_(scratch("change of a scalar", 1), context.mesh.own_cells()), inflow_(scratch("diffusive inflow of a scalar", 0), context.mesh.own_cells()),
-      diagonal_(scratch("diagonal of diffusion", 0), context.mesh.own_cells()), right_(scratch("right-hand side of a scalar", 0), context.mesh.own_cells()),
+    : context_(context),
+      layout_(layout),
+      workspace_(layout, context.mesh.blocks(), std::ptrdiff_t(context.mesh.total_cells())),
+      change_(scratch("change of a scalar", 1), context.mesh.own_cells()),
+      inflow_(scratch("diffusive inflow of a scalar", 0), context.mesh.own_cells()),
+      diagonal_(scratch("diagonal of diffusion", 0), context.mesh.own_cells()),
+      right_(scratch("right-hand side of a scalar", 0), context.mesh.own_cells()),
       gradient_(scratch("gradient of a diffusing scalar", 1), context.mesh.own_cells()),
-      flux_(scratch("diffusive flux of a scalar", 0), context.mesh.own_cells()), residual_(layout.size(), 0.0), solution_(layout.size(), 0.0)
+      flux_(scratch("diffusive flux of a scalar", 0), context.mesh.own_cells()),
+      residual_(layout.size(), 0.0),
+      solution_(layout.size(), 0.0)
 {
     for (core::ScalarField* field : {&change_, &inflow_, &diagonal_, &right_}) field->allocate();
     gradient_.allocate();
@@ -51,9 +57,12 @@ tasks::Job ScalarDiffusion::form_inflow(tasks::Lane& lane, core::ScalarField& q)
         const auto flux = flux_.on(b);
         gradient_flux(geometry(b), q.on(b), gradient_.on(b), flux);
         close_boundaries(context_.walls[std::size_t(b)], geometry(b).cells, flux);
-        map_faces(flux, [](double f, double d) { return f * d; }, flux, equation_->diffusivity.on(b));
+        map_faces(
+            flux, [](double f, double d) { return f * d; }, flux, equation_->diffusivity.on(b));
         net_outflow(flux, inflow_.on(b));
-        if (equation_->free) map_cells(inflow_.on(b), [](double in, double free) { return in * free; }, inflow_.on(b), equation_->free->on(b));
+        if (equation_->free)
+            map_cells(
+                inflow_.on(b), [](double in, double free) { return in * free; }, inflow_.on(b), equation_->free->on(b));
     });
 }
 
@@ -62,10 +71,13 @@ tasks::Job ScalarDiffusion::choose_share(tasks::Lane& lane)
     std::vector<double> largest(std::size_t(context_.mesh.own_count()), 0.0);
     for_blocks(lane, [&](core::LocalBlock b) {
         transmissibility_sum(geometry(b), equation_->diffusivity.on(b), diagonal_.on(b));
-        if (equation_->free) map_cells(diagonal_.on(b), [](double sum, double free) { return sum * free; }, diagonal_.on(b), equation_->free->on(b));
+        if (equation_->free)
+            map_cells(
+                diagonal_.on(b), [](double sum, double free) { return sum * free; }, diagonal_.on(b), equation_->free->on(b));
         const core::View<const double> sum = diagonal_.on(b), w = equation_->capacity.on(b), volume = geometry(b).volume.view();
         double& most = largest[std::size_t(b)];
-        core::for_each_cell(sum.extents(), [&](int i, int j, int k) { most = std::max(most, sum(i, j, k) / (w(i, j, k) * volume(i, j, k))); });
+        core::for_each_cell(sum.extents(),
+                            [&](int i, int j, int k) { most = std::max(most, sum(i, j, k) / (w(i, j, k) * volume(i, j, k))); });
     });
     double rate = 0;
     for (const double r : largest) rate = std::max(rate, r);
@@ -76,19 +88,26 @@ tasks::Job ScalarDiffusion::choose_share(tasks::Lane& lane)
 
 tasks::Job ScalarDiffusion::apply(tasks::Lane& lane, std::span<const double> in, std::span<double> out)
 {
-    for_blocks(lane, [&](core::LocalBlock b) { map_cells(change_.on(b), [](double x) { return x; }, part(b, in)); });
+    for_blocks(lane, [&](core::LocalBlock b) {
+        map_cells(
+            change_.on(b), [](double x) { return x; }, part(b, in));
+    });
     co_await form_inflow(lane, change_);
     for_blocks(lane, [&](core::LocalBlock b) {
-        map_cells(layout_.view(b, out), [d = implicit_ * equation_->dt](double w, double v, double x, double inflow) { return w * v * x - d * inflow; },
-                  equation_->capacity.on(b), geometry(b).volume.view(), part(b, in), inflow_.on(b));
+        map_cells(
+            layout_.view(b, out),
+            [d = implicit_ * equation_->dt](double w, double v, double x, double inflow) { return w * v * x - d * inflow; },
+            equation_->capacity.on(b), geometry(b).volume.view(), part(b, in), inflow_.on(b));
     });
 }
 
 tasks::Job ScalarDiffusion::precondition(tasks::Lane& lane, std::span<const double> in, std::span<double> out)
 {
     for_blocks(lane, [&](core::LocalBlock b) {
-        map_cells(layout_.view(b, out), [d = implicit_ * equation_->dt](double w, double v, double r, double sum) { return r / (w * v + d * sum); },
-                  equation_->capacity.on(b), geometry(b).volume.view(), part(b, in), diagonal_.on(b));
+        map_cells(
+            layout_.view(b, out),
+            [d = implicit_ * equation_->dt](double w, double v, double r, double sum) { return r / (w * v + d * sum); },
+            equation_->capacity.on(b), geometry(b).volume.view(), part(b, in), diagonal_.on(b));
     });
     co_return;
 }
@@ -100,9 +119,13 @@ tasks::Job ScalarDiffusion::form_right(tasks::Lane& lane, core::ScalarField& q)
     const double old = (1 - implicit_) * equation_->dt, now = implicit_ * equation_->dt;
     for_blocks(lane, [&](core::LocalBlock b) {
         const auto volume = geometry(b).volume.view();
-        map_cells(right_.on(b), [old](double v, double s, double inflow) { return v * s + old * inflow; }, volume, equation_->source.on(b), inflow_.on(b));
-        map_cells(layout_.view(b, residual_), [now](double right, double w, double v, double x, double inflow) { return right - w * v * x + now * inflow; },
-                  right_.on(b), equation_->capacity.on(b), volume, q.on(b), inflow_.on(b));
+        map_cells(
+            right_.on(b), [old](double v, double s, double inflow) { return v * s + old * inflow; }, volume, equation_->source.on(b),
+            inflow_.on(b));
+        map_cells(
+            layout_.view(b, residual_),
+            [now](double right, double w, double v, double x, double inflow) { return right - w * v * x + now * inflow; }, right_.on(b),
+            equation_->capacity.on(b), volume, q.on(b), inflow_.on(b));
     });
 }
 
@@ -114,8 +137,8 @@ tasks::Job ScalarDiffusion::solve(tasks::Lane& lane, DiffusionEquation equation,
     co_await form_right(lane, q);
     std::vector<double> sums(std::size_t(context_.mesh.blocks()), 0.0);
     for_blocks(lane, [&](core::LocalBlock b) {
-        sums[std::size_t(context_.mesh.global(b))] = sum_cells([](double w, double v, double x) { return w * v * x * w * v * x; }, equation.capacity.on(b),
-                                                               geometry(b).volume.view(), q.on(b));
+        sums[std::size_t(context_.mesh.global(b))] = sum_cells([](double w, double v, double x) { return w * v * x * w * v * x; },
+                                                               equation.capacity.on(b), geometry(b).volume.view(), q.on(b));
     });
     co_await lane.sum(sums);
     KrylovOptions options;
@@ -128,12 +151,15 @@ tasks::Job ScalarDiffusion::solve(tasks::Lane& lane, DiffusionEquation equation,
     KrylovReport report;
     co_await drive(lane, bicgstab(lane.team(), workspace_, options, residual_, solution_, report), *this);
     for_blocks(lane, [&](core::LocalBlock b) {
-        map_cells(q.on(b), [](double x, double d) { return x + d; }, q.on(b), part(b, solution_));
+        map_cells(
+            q.on(b), [](double x, double d) { return x + d; }, q.on(b), part(b, solution_));
     });
     co_await form_inflow(lane, q); // fluxes of the solution: what goes from cell to cell is neither made nor lost
     for_blocks(lane, [&](core::LocalBlock b) {
-        map_cells(q.on(b), [now = implicit_ * equation.dt](double right, double inflow, double w, double v) { return (right + now * inflow) / (w * v); },
-                  right_.on(b), inflow_.on(b), equation.capacity.on(b), geometry(b).volume.view());
+        map_cells(
+            q.on(b),
+            [now = implicit_ * equation.dt](double right, double inflow, double w, double v) { return (right + now * inflow) / (w * v); },
+            right_.on(b), inflow_.on(b), equation.capacity.on(b), geometry(b).volume.view());
     });
 }
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Implicit diffusion of a scalar, and what consumes it: V (w + dt s) q' - dt share div(D grad q') = V source + dt (1 - share) div(D grad q).
-// Nothing diffuses through boundaries.
+// Implicit diffusion of a scalar, and what consumes it: V (w + dt s) q' - dt share div(D grad q') = V source + dt (1 - share)
+// div(D grad q). Nothing diffuses through boundaries.
 #include "physics/fluid/krylov.hpp"
 #include "physics/steps/unknown.hpp"
 
@@ -10,11 +10,11 @@ namespace physics {
 
 /// One equation; fields of which only the interior is read.
 struct DiffusionEquation {
-    const core::FaceField& diffusivity; ///< w D on faces [m2/s]
-    const core::ScalarField& capacity;  ///< w + dt s [-]
-    const core::ScalarField& source;    ///< of the equation's right-hand side, without diffusion [unit of q]
-    double dt;                          ///< [s]
-    double tolerance = 1e-12;           ///< of the residual, relative to capacity times q, in the root mean square
+    const core::FaceField& diffusivity;      ///< w D on faces [m2/s]
+    const core::ScalarField& capacity;       ///< w + dt s [-]
+    const core::ScalarField& source;         ///< of the equation's right-hand side, without diffusion [unit of q]
+    double dt;                               ///< [s]
+    double tolerance = 1e-12;                ///< of the residual, relative to capacity times q, in the root mean square
     const core::ScalarField* free = nullptr; ///< 0 where q' = source / capacity whatever diffuses, else 1; none: 1 everywhere
 };
 

@@ -16,13 +16,15 @@ using tasks::reads, tasks::updates;
 
 struct ScalarStep::Agreement {
     Agreement(const core::Mesh& mesh, const FluidStep& fluid, const core::Communicator& ranks)
-        : context(fluid.system_context()), system(context, ranks, fluid.parameters().tolerances),
+        : context(fluid.system_context()),
+          system(context, ranks, fluid.parameters().tolerances),
           outflow({"net outflow of the fluid alone", "m3/s", 0, false}, mesh.own_cells()),
           through({"throughput of the fluid alone", "m3/s", 0, false}, mesh.own_cells()),
           psi({"potential of the fluid alone", "m2/s", 1, false}, mesh.own_cells()),
           gradient({"gradient of the potential of the fluid alone", "m/s", 1, false}, mesh.own_cells()),
           scratch({"correction of the flux of the fluid alone", "m3/s", 0, false}, mesh.own_cells()),
-          share({"share of the carrier", "1", 1, false}, mesh.own_cells()), faces({"share of the carrier on faces", "1", 0, false}, mesh.own_cells())
+          share({"share of the carrier", "1", 1, false}, mesh.own_cells()),
+          faces({"share of the carrier on faces", "1", 0, false}, mesh.own_cells())
     {
         for (core::ScalarField* field : {&outflow, &through, &psi, &share}) field->allocate();
         gradient.allocate();
@@ -45,16 +47,23 @@ ScalarStep::~ScalarStep() = default;
 
 ScalarStep::ScalarStep(const core::Mesh& mesh, FluidStep& fluid, const std::vector<ScalarParameters>& scalars, CoupledStep* coupling,
                        const core::Communicator& ranks)
-    : mesh_(mesh), fluid_(fluid), parameters_(scalars), fields_(mesh, scalars), part_("scalars", fields_), clock_("fluid clock", fluid.state().clock),
-      carrier_(fluid.system_context()), flux_(mesh, fluid, coupling, "scalars"),
+    : mesh_(mesh),
+      fluid_(fluid),
+      parameters_(scalars),
+      fields_(mesh, scalars),
+      part_("scalars", fields_),
+      clock_("fluid clock", fluid.state().clock),
+      carrier_(fluid.system_context()),
+      flux_(mesh, fluid, coupling, "scalars"),
       diffusivity_({"diffusivity of a scalar", "m2/s", 0, false}, mesh.own_cells()),
       source_({"amount of a scalar", "", 0, false}, mesh.own_cells())
 {
     const auto& boundaries = mesh.topology().boundaries;
     for (const ScalarParameters& scalar : parameters_) {
         for (const auto& [name, value] : scalar.entering)
-            core::require<core::ConfigError>(std::any_of(boundaries.begin(), boundaries.end(), [&](const auto& b) { return b.name == name; }),
-                                             core::text("scalar '", scalar.name, "': no boundary is called '", name, "'"));
+            core::require<core::ConfigError>(
+                std::any_of(boundaries.begin(), boundaries.end(), [&](const auto& b) { return b.name == name; }),
+                core::text("scalar '", scalar.name, "': no boundary is called '", name, "'"));
         entering_.push_back(entry_values(mesh, scalar.entering));
     }
     if (coupling) agreement_ = std::make_unique<Agreement>(mesh, fluid, ranks);
@@ -66,7 +75,9 @@ ScalarStep::ScalarStep(const core::Mesh& mesh, FluidStep& fluid, const std::vect
 
 void ScalarStep::begin(const core::ScalarField& fraction)
 {
-    for (LocalBlock b = 0; b < mesh_.own_count(); ++b) map_cells(fields_.share.on(b), [](double phi) { return phi; }, fraction.on(b));
+    for (LocalBlock b = 0; b < mesh_.own_count(); ++b)
+        map_cells(
+            fields_.share.on(b), [](double phi) { return phi; }, fraction.on(b));
 }
 
 void ScalarStep::declare_before(tasks::StageGraph& graph) { flux_.declare_old_half(graph); }
@@ -77,7 +88,8 @@ void ScalarStep::declare(tasks::StageGraph& graph)
     if (agreement_)
         graph.whole(
             "carry scalars between grains",
-            [this](tasks::Lane& lane, const core::ScalarField&, const FluidClock& clock, core::FaceField& flux, ScalarSet& fields) -> tasks::Job {
+            [this](tasks::Lane& lane, const core::ScalarField&, const FluidClock& clock, core::FaceField& flux,
+                   ScalarSet& fields) -> tasks::Job {
                 co_await agree_with_grains(lane, flux, clock.dt, fields);
                 co_await carry(lane, flux, clock.dt, fields);
             },
@@ -85,7 +97,9 @@ void ScalarStep::declare(tasks::StageGraph& graph)
     else
         graph.whole(
             "carry scalars",
-            [this](tasks::Lane& lane, const FluidClock& clock, core::FaceField& flux, ScalarSet& fields) { return carry(lane, flux, clock.dt, fields); },
+            [this](tasks::Lane& lane, const FluidClock& clock, core::FaceField& flux, ScalarSet& fields) {
+                return carry(lane, flux, clock.dt, fields);
+            },
             reads(clock_), updates(flux_.mean(), part_));
     graph.sink(part_);
 }
@@ -107,9 +121,11 @@ tasks::Job ScalarStep::agree_with_grains(tasks::Lane& lane, core::FaceField& flu
         const auto volume = mesh_.geometry(b).volume.view();
         net_outflow(flux.on(b), a.outflow.on(b));
         throughput(flux.on(b), a.through.on(b));
-        map_cells(a.outflow.on(b), [dt](double out, double v, double phi, double w) { return out + v * (phi - w) / dt; }, a.outflow.on(b), volume,
-                  fraction.on(b), fields.share.on(b));
-        map_cells(a.through.on(b), [per = volume_counts / dt](double through, double v) { return through + per * v; }, a.through.on(b), volume);
+        map_cells(
+            a.outflow.on(b), [dt](double out, double v, double phi, double w) { return out + v * (phi - w) / dt; }, a.outflow.on(b), volume,
+            fraction.on(b), fields.share.on(b));
+        map_cells(
+            a.through.on(b), [per = volume_counts / dt](double through, double v) { return through + per * v; }, a.through.on(b), volume);
     });
     co_await a.system.solve(lane, {a.outflow, a.through, 1.0}, a.psi);
     co_await a.context.halos.fill(lane, &a.psi, core::beside);
@@ -117,7 +133,8 @@ tasks::Job ScalarStep::agree_with_grains(tasks::Lane& lane, core::FaceField& flu
         const BlockWalls& walls = fluid_.walls()[std::size_t(b)];
         mirror_pressure_change(walls, 1, a.psi.on(b));
         gradient(mesh_.geometry(b), pressure_matrices(mesh_.geometry(b), walls), a.psi.on(b), a.gradient.on(b));
-        map_cells(a.share.on(b), [](double phi) { return phi; }, fraction.on(b));
+        map_cells(
+            a.share.on(b), [](double phi) { return phi; }, fraction.on(b));
     });
     co_await a.context.halos.fill(lane, &a.gradient, core::beside);
     co_await a.context.halos.fill(lane, &a.share, core::beside);
@@ -136,9 +153,13 @@ tasks::Job ScalarStep::diffuse(tasks::Lane& lane, double dt, ScalarSet& fields)
         if (diffusivity == 0) continue;
         lane.team().run(mesh_.own_count(), [&](int b) {
             const auto faces = diffusivity_.on(b);
-            map_faces(faces, [diffusivity](double) { return diffusivity; }, faces);
-            if (agreement_) map_faces(faces, [](double d, double phi) { return d * phi; }, faces, agreement_->faces.on(b));
-            map_cells(source_.on(b), [](double w, double q) { return w * q; }, fields.share.on(b), fields.values[n].on(b));
+            map_faces(
+                faces, [diffusivity](double) { return diffusivity; }, faces);
+            if (agreement_)
+                map_faces(
+                    faces, [](double d, double phi) { return d * phi; }, faces, agreement_->faces.on(b));
+            map_cells(
+                source_.on(b), [](double w, double q) { return w * q; }, fields.share.on(b), fields.values[n].on(b));
         });
         co_await diffusion_->solve(lane, {diffusivity_, fields.share, source_, dt}, fields.values[n]);
     }

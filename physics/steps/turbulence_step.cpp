@@ -32,23 +32,36 @@ std::vector<EntryValues> entering(const core::Mesh& mesh, const TurbulenceParame
 } // namespace
 
 TurbulenceStep::TurbulenceStep(const core::Mesh& mesh, FluidStep& fluid, const TurbulenceParameters& parameters, CoupledStep* coupling)
-    : mesh_(mesh), fluid_(fluid), parameters_(parameters), entering_k_(entering(mesh, parameters, &Turbulence::k)),
-      entering_epsilon_(entering(mesh, parameters, &Turbulence::epsilon)), k_({"k", "m2/s2", 1, true}, mesh.own_cells()),
-      epsilon_({"epsilon", "m2/s3", 1, true}, mesh.own_cells()), eddy_(scratch("eddy viscosity", "m2/s", 1), mesh.own_cells()),
-      produced_(scratch("production of turbulence", "m2/s3"), mesh.own_cells()), share_(scratch("share of the carrier of turbulence", "1", 1), mesh.own_cells()),
-      k_capacity_(scratch("capacity for k", "1"), mesh.own_cells()), k_source_(scratch("source of k", "m2/s2"), mesh.own_cells()),
-      epsilon_capacity_(scratch("capacity for epsilon", "1"), mesh.own_cells()), epsilon_source_(scratch("source of epsilon", "m2/s3"), mesh.own_cells()),
-      free_(scratch("cells away from walls", "1"), mesh.own_cells()), flux_(mesh, fluid, coupling, "turbulence"),
+    : mesh_(mesh),
+      fluid_(fluid),
+      parameters_(parameters),
+      entering_k_(entering(mesh, parameters, &Turbulence::k)),
+      entering_epsilon_(entering(mesh, parameters, &Turbulence::epsilon)),
+      k_({"k", "m2/s2", 1, true}, mesh.own_cells()),
+      epsilon_({"epsilon", "m2/s3", 1, true}, mesh.own_cells()),
+      eddy_(scratch("eddy viscosity", "m2/s", 1), mesh.own_cells()),
+      produced_(scratch("production of turbulence", "m2/s3"), mesh.own_cells()),
+      share_(scratch("share of the carrier of turbulence", "1", 1), mesh.own_cells()),
+      k_capacity_(scratch("capacity for k", "1"), mesh.own_cells()),
+      k_source_(scratch("source of k", "m2/s2"), mesh.own_cells()),
+      epsilon_capacity_(scratch("capacity for epsilon", "1"), mesh.own_cells()),
+      epsilon_source_(scratch("source of epsilon", "m2/s3"), mesh.own_cells()),
+      free_(scratch("cells away from walls", "1"), mesh.own_cells()),
+      flux_(mesh, fluid, coupling, "turbulence"),
       face_share_(scratch("share of the carrier of turbulence on faces", "1"), mesh.own_cells()),
-      diffusivity_(scratch("diffusivity of turbulence", "m2/s"), mesh.own_cells()), clock_("fluid clock", fluid.state().clock),
-      halos_(fluid.system_context().halos), carrier_(fluid.system_context()),
+      diffusivity_(scratch("diffusivity of turbulence", "m2/s"), mesh.own_cells()),
+      clock_("fluid clock", fluid.state().clock),
+      halos_(fluid.system_context().halos),
+      carrier_(fluid.system_context()),
       diffusion_(fluid.system_context(), fluid.pressure_system().layout())
 {
-    core::require<core::ConfigError>(fluid.parameters().viscosity > 0, "turbulence needs a fluid with viscosity: the layers at walls follow from it");
+    core::require<core::ConfigError>(fluid.parameters().viscosity > 0,
+                                     "turbulence needs a fluid with viscosity: the layers at walls follow from it");
     const auto& boundaries = mesh.topology().boundaries;
     for (const auto& entry : parameters.entering)
-        core::require<core::ConfigError>(std::any_of(boundaries.begin(), boundaries.end(), [&](const auto& b) { return b.name == entry.first; }),
-                                         core::text("turbulence: no boundary is called '", entry.first, "'"));
+        core::require<core::ConfigError>(
+            std::any_of(boundaries.begin(), boundaries.end(), [&](const auto& b) { return b.name == entry.first; }),
+            core::text("turbulence: no boundary is called '", entry.first, "'"));
     for (LocalBlock b = 0; b < mesh.own_count(); ++b) wall_cells_.push_back(wall_cells(mesh.geometry(b), sides(b)));
     fill(k_, mesh.own_count(), std::max(parameters.initial.k, least_turbulence.k));
     fill(epsilon_, mesh.own_count(), std::max(parameters.initial.epsilon, least_turbulence.epsilon));
@@ -100,8 +113,9 @@ void TurbulenceStep::declare(tasks::StageGraph& graph)
         reads(f.gradient_x, f.gradient_y, f.gradient_z), writes(produced_));
     graph.whole(
         "carry turbulence",
-        [this](tasks::Lane& lane, const core::FaceField& flux, const core::VectorField& velocity, const ViscosityRatio&, const FluidClock& clock,
-               core::ScalarField&, core::ScalarField&, core::ScalarField&, core::ScalarField&) { return advance(lane, flux, clock.dt, velocity); },
+        [this](tasks::Lane& lane, const core::FaceField& flux, const core::VectorField& velocity, const ViscosityRatio&,
+               const FluidClock& clock, core::ScalarField&, core::ScalarField&, core::ScalarField&,
+               core::ScalarField&) { return advance(lane, flux, clock.dt, velocity); },
         reads(flux_.mean(), fluid_.state().velocity, f.viscosity_ratio, clock_), updates(k_, epsilon_, produced_, share_));
     graph.sink(k_);
     graph.sink(epsilon_);
@@ -141,7 +155,9 @@ tasks::Job TurbulenceStep::advance(tasks::Lane& lane, const core::FaceField& flu
         for_blocks(lane, [&](LocalBlock b) {
             const auto spread = [nu = fluid_.parameters().viscosity, sigma](double ratio) { return nu * (1 + (ratio - 1) / sigma); };
             map_faces(diffusivity_.on(b), spread, *std::as_const(fluid_.fields()).viscosity_ratio.on(b));
-            if (flux_.coupling()) map_faces(diffusivity_.on(b), [](double d, double phi) { return d * phi; }, diffusivity_.on(b), face_share_.on(b));
+            if (flux_.coupling())
+                map_faces(
+                    diffusivity_.on(b), [](double d, double phi) { return d * phi; }, diffusivity_.on(b), face_share_.on(b));
         });
     };
     constexpr double tolerance = 1e-8; // no amount is to be kept here; epsilon is a thousand times larger at walls than far from them
@@ -150,8 +166,10 @@ tasks::Job TurbulenceStep::advance(tasks::Lane& lane, const core::FaceField& flu
     set_diffusivity(k_epsilon.sigma_epsilon);
     co_await diffusion_.solve(lane, {diffusivity_, epsilon_capacity_, epsilon_source_, dt, tolerance, &free_}, epsilon_);
     for_blocks(lane, [&](LocalBlock b) { // what skewed cells may take too much of
-        map_cells(k_.on(b), [](double q) { return std::max(q, least_turbulence.k); }, k_.on(b));
-        map_cells(epsilon_.on(b), [](double q) { return std::max(q, least_turbulence.epsilon); }, epsilon_.on(b));
+        map_cells(
+            k_.on(b), [](double q) { return std::max(q, least_turbulence.k); }, k_.on(b));
+        map_cells(
+            epsilon_.on(b), [](double q) { return std::max(q, least_turbulence.epsilon); }, epsilon_.on(b));
     });
 }
 

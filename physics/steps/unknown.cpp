@@ -7,8 +7,11 @@
 
 namespace physics {
 Unknown::Unknown(const SystemContext& context, const BlockLayout& layout, const std::string& name)
-    : value({name, "", 1, false}, context.mesh.own_cells()), gradient({"gradient of " + name, "", 1, false}, context.mesh.own_cells()),
-      flux({"flux of " + name, "", 0, false}, context.mesh.own_cells()), context_(context), layout_(layout)
+    : value({name, "", 1, false}, context.mesh.own_cells()),
+      gradient({"gradient of " + name, "", 1, false}, context.mesh.own_cells()),
+      flux({"flux of " + name, "", 0, false}, context.mesh.own_cells()),
+      context_(context),
+      layout_(layout)
 {
     value.allocate();
     gradient.allocate();
@@ -20,7 +23,8 @@ Unknown::Unknown(const SystemContext& context, const BlockLayout& layout, const 
 tasks::Job Unknown::form_fluxes(tasks::Lane& lane, std::optional<int> component, std::span<const double> in)
 {
     for_blocks(lane, [&](core::LocalBlock b) {
-        map_cells(value.on(b), [](double x) { return x; }, core::View<const double>(in.data() + layout_.origin(b), layout_.cells(b), 0));
+        map_cells(
+            value.on(b), [](double x) { return x; }, core::View<const double>(in.data() + layout_.origin(b), layout_.cells(b), 0));
     });
     co_await context_.halos.fill(lane, &value, core::beside);
     for_blocks(lane, [&](core::LocalBlock b) {

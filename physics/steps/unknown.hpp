@@ -19,11 +19,14 @@ struct SystemContext {
     const core::Mesh& mesh;
     const std::vector<BlockWalls>& walls; ///< of each block of this rank
     tasks::HaloFiller& halos;
-    bool pressure_is_given = false; ///< on some boundary of the domain
-    bool walls_slip = false;        ///< somewhere in the domain
+    bool pressure_is_given = false;                  ///< on some boundary of the domain
+    bool walls_slip = false;                         ///< somewhere in the domain
     const ViscosityRatio* viscosity_ratio = nullptr; ///< none: 1 everywhere
 
-    [[nodiscard]] FaceFactors viscosity_factors(core::LocalBlock b) const { return viscosity_ratio ? viscosity_ratio->on(b) : std::nullopt; }
+    [[nodiscard]] FaceFactors viscosity_factors(core::LocalBlock b) const
+    {
+        return viscosity_ratio ? viscosity_ratio->on(b) : std::nullopt;
+    }
 };
 
 class Unknown {

@@ -19,13 +19,18 @@ core::VectorField gradient_field(const core::Mesh& mesh) { return {{"gradient of
 } // namespace
 
 ViscositySystem::ViscositySystem(const SystemContext& context, const BlockLayout& layout, const FluidTolerances& tolerances)
-    : context_(context), tolerances_(tolerances), layout_(layout),
-      workspace_(layout, context.mesh.blocks(), std::ptrdiff_t(context.mesh.total_cells())), unknown_(context, layout, "velocity change"),
+    : context_(context),
+      tolerances_(tolerances),
+      layout_(layout),
+      workspace_(layout, context.mesh.blocks(), std::ptrdiff_t(context.mesh.total_cells())),
+      unknown_(context, layout, "velocity change"),
       transmissibility_sum_({"transmissibility sum", "m", 0, false}, context.mesh.own_cells()),
       residual_({"residual of implicit velocity", "m4/s", 0, false}, context.mesh.own_cells()),
       gradient_{gradient_field(context.mesh), gradient_field(context.mesh), gradient_field(context.mesh)},
-      flux_({"flux of implicit velocity", "m3/s", 0, false}, context.mesh.own_cells()), right_(layout.size(), 0.0),
-      solution_(layout.size(), 0.0), sums_(3 * std::size_t(context.mesh.blocks()))
+      flux_({"flux of implicit velocity", "m3/s", 0, false}, context.mesh.own_cells()),
+      right_(layout.size(), 0.0),
+      solution_(layout.size(), 0.0),
+      sums_(3 * std::size_t(context.mesh.blocks()))
 {
     transmissibility_sum_.allocate();
     residual_.allocate();
@@ -45,17 +50,19 @@ tasks::Job ViscositySystem::apply(tasks::Lane& lane, std::span<const double> in,
         const auto result = layout_.view(b, out);
         scale_flux(context_.viscosity_factors(b), unknown_.flux.on(b));
         net_outflow(unknown_.flux.on(b), result);
-        map_cells(result, [d = diffusion_](double inflow, double volume, double x) { return volume * x - d * inflow; }, result,
-                  context_.mesh.geometry(b).volume.view(), core::View<const double>(in.data() + layout_.origin(b), layout_.cells(b), 0));
+        map_cells(
+            result, [d = diffusion_](double inflow, double volume, double x) { return volume * x - d * inflow; }, result,
+            context_.mesh.geometry(b).volume.view(), core::View<const double>(in.data() + layout_.origin(b), layout_.cells(b), 0));
     });
 }
 
 tasks::Job ViscositySystem::precondition(tasks::Lane& lane, std::span<const double> in, std::span<double> out)
 {
     unknown_.for_blocks(lane, [&](core::LocalBlock b) {
-        map_cells(layout_.view(b, out), [d = diffusion_](double r, double volume, double sum) { return r / (volume + d * sum); },
-                  core::View<const double>(in.data() + layout_.origin(b), layout_.cells(b), 0),
-                  context_.mesh.geometry(b).volume.view(), transmissibility_sum_.on(b));
+        map_cells(
+            layout_.view(b, out), [d = diffusion_](double r, double volume, double sum) { return r / (volume + d * sum); },
+            core::View<const double>(in.data() + layout_.origin(b), layout_.cells(b), 0), context_.mesh.geometry(b).volume.view(),
+            transmissibility_sum_.on(b));
     });
     co_return;
 }
@@ -80,10 +87,11 @@ tasks::Job ViscositySystem::form_residual(tasks::Lane& lane, const core::VectorF
         double* sum = sums_.data() + 3 * std::size_t(context_.mesh.global(b));
         for (int c = 0; c < 3; ++c) {
             const auto inflow = r.component(c);
-            diffusive_inflow(geometry, context_.walls[std::size_t(b)], u.component(c), gradient_[std::size_t(c)].on(b), context_.viscosity_factors(b),
-                             {flux_.on(b), inflow});
+            diffusive_inflow(geometry, context_.walls[std::size_t(b)], u.component(c), gradient_[std::size_t(c)].on(b),
+                             context_.viscosity_factors(b), {flux_.on(b), inflow});
             sum[1] += diffusion_ * diffusion_ * sum_cells([](double x) { return x * x; }, inflow);
-            map_cells(inflow, [d = diffusion_](double in, double v, double x) { return d * in - v * x; }, inflow, volume, known.component(c));
+            map_cells(
+                inflow, [d = diffusion_](double in, double v, double x) { return d * in - v * x; }, inflow, volume, known.component(c));
             sum[0] += sum_cells([](double x) { return x * x; }, inflow);
             sum[2] += sum_cells([](double v, double x) { return v * v * x * x; }, volume, u.component(c));
         }
@@ -115,8 +123,10 @@ tasks::Job ViscositySystem::solve(tasks::Lane& lane, double diffusion, core::Vec
     iterations_ = 0;
     Norms norms{}, before{};
     unknown_.for_blocks(lane, [&](core::LocalBlock b) {
-        if (const auto factors = context_.viscosity_factors(b)) transmissibility_sum(context_.mesh.geometry(b), *factors, transmissibility_sum_.on(b));
-        map_components(velocity.on(b), [](double w, double x) { return w + x; }, velocity.on(b), change.on(b));
+        if (const auto factors = context_.viscosity_factors(b))
+            transmissibility_sum(context_.mesh.geometry(b), *factors, transmissibility_sum_.on(b));
+        map_components(
+            velocity.on(b), [](double w, double x) { return w + x; }, velocity.on(b), change.on(b));
     });
     co_await form_residual(lane, change, velocity, norms);
     // A change that round-off of the momentum hides is not solved for.
@@ -158,14 +168,16 @@ tasks::Job ViscositySystem::solve_component(tasks::Lane& lane, int component, co
     component_ = component;
     std::fill(solution_.begin(), solution_.end(), 0.0);
     unknown_.for_blocks(lane, [&](core::LocalBlock b) {
-        map_cells(layout_.view(b, right_), [](double r) { return r; }, residual_.on(b).component(component));
+        map_cells(
+            layout_.view(b, right_), [](double r) { return r; }, residual_.on(b).component(component));
     });
     KrylovReport report;
     co_await drive(lane, bicgstab(lane.team(), workspace_, options, right_, solution_, report), *this);
     iterations_ += 2 * report.iterations;
     unknown_.for_blocks(lane, [&](core::LocalBlock b) {
         for (const auto x : {velocity.on(b).component(component), change.on(b).component(component)})
-            map_cells(x, [](double old, double step) { return old + step; }, x, layout_.view(b, solution_));
+            map_cells(
+                x, [](double old, double step) { return old + step; }, x, layout_.view(b, solution_));
     });
 }
 

@@ -32,7 +32,8 @@ private:
     };
     tasks::Job form_residual(tasks::Lane& lane, const core::VectorField& change, core::VectorField& velocity, Norms& norms);
     void correct(tasks::Lane& lane, core::VectorField& velocity, core::VectorField& change) const;
-    tasks::Job solve_component(tasks::Lane& lane, int component, const KrylovOptions& options, core::VectorField& velocity, core::VectorField& change);
+    tasks::Job solve_component(tasks::Lane& lane, int component, const KrylovOptions& options, core::VectorField& velocity,
+                               core::VectorField& change);
 
     SystemContext context_;
     FluidTolerances tolerances_;

@@ -34,7 +34,8 @@ int main(int argc, char** argv)
     core::ScalarField a({"a", "-", 0, false}, cells), b({"b", "-", 0, false}, cells);
     tasks::StageGraph graph(tasks::Layout{std::vector<std::ptrdiff_t>(blocks, 1), 1}, core::Communicator::self());
     for (int s = 0; s < stages; ++s)
-        graph.each_block("stage", [](int, core::View<double>, core::View<double>) {}, tasks::updates(a, b));
+        graph.each_block(
+            "stage", [](int, core::View<double>, core::View<double>) {}, tasks::updates(a, b));
     graph.sink(a);
     const auto plan = graph.compile();
     for (const std::string kind : {"serial", "openmp", "tbb"})
@@ -43,7 +44,7 @@ int main(int argc, char** argv)
             const auto executor = tasks::make_executor({kind, threads, nullptr}, plan);
             const auto traced = tasks::make_executor({kind, threads, &trace}, plan);
             const double nodes = double(plan.nodes().size());
-            std::cout << kind << ", " << threads << " threads: " << 1e9 * seconds_per_step(*executor) / nodes
-                      << " ns per node, traced " << 1e9 * seconds_per_step(*traced) / nodes << '\n';
+            std::cout << kind << ", " << threads << " threads: " << 1e9 * seconds_per_step(*executor) / nodes << " ns per node, traced "
+                      << 1e9 * seconds_per_step(*traced) / nodes << '\n';
         }
 }

@@ -20,8 +20,7 @@ constexpr double piece = 40e-6; // [s]
 /// Works for `seconds` of wall time.
 void work(double seconds)
 {
-    for (const auto begin = Clock::now(); std::chrono::duration<double>(Clock::now() - begin).count() < seconds;) {
-    }
+    for (const auto begin = Clock::now(); std::chrono::duration<double>(Clock::now() - begin).count() < seconds;) {}
 }
 
 /// Ranks are slow in turn, so that everyone waits for the other one.

@@ -66,9 +66,9 @@ int main(int argc, char** argv)
     const auto team = core::make_openmp_team(threads);
     const auto p = problem(kind, size);
     physics::MultigridOptions options;
-    options.smoother = smoother == "point" ? physics::Smoother::point
-                     : smoother == "line"  ? physics::Smoother::line
-                                           : physics::Smoother::automatic;
+    options.smoother = smoother == "point"  ? physics::Smoother::point
+                       : smoother == "line" ? physics::Smoother::line
+                                            : physics::Smoother::automatic;
     physics::SevenPointSolver solver(p.topology, options);
     const double set_up = seconds(3, [&] { solver.set_up(*team, p.coefficients()); });
     const double cells = double(physics::cell_count(p.topology));
@@ -85,8 +85,10 @@ int main(int argc, char** argv)
     const double vectors = 8.0 * double(solver.layout().size()) * double(3 + solver.workspace().vectors.size() + 2) / cells;
     std::printf("%s %d: %.0f cells, %zu links, %d threads, %zu levels\n", kind.c_str(), size, cells, p.link.size(), threads,
                 solver.multigrid().levels().size());
-    std::printf("  product %.3f ms = %.2f ns/cell = %.1f GB/s at 40 B/cell\n", 1e3 * product, 1e9 * product / cells, 40e-9 * cells / product);
-    std::printf("  set-up %.2f ms = %.1f products; cycle %.3f ms = %.1f products\n", 1e3 * set_up, set_up / product, 1e3 * cycle, cycle / product);
+    std::printf("  product %.3f ms = %.2f ns/cell = %.1f GB/s at 40 B/cell\n", 1e3 * product, 1e9 * product / cells,
+                40e-9 * cells / product);
+    std::printf("  set-up %.2f ms = %.1f products; cycle %.3f ms = %.1f products\n", 1e3 * set_up, set_up / product, 1e3 * cycle,
+                cycle / product);
     std::printf("  solve %.1f ms = %.0f products, %d iterations\n", 1e3 * solve, solve / product, report.iterations);
     std::printf("  memory: multigrid %.0f, operator and vectors %.0f B/cell\n", double(solver.multigrid().bytes()) / cells, vectors);
     for (int level = 0; level < 2; ++level)

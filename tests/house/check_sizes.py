@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Isago authors
 # SPDX-License-Identifier: Apache-2.0
-"""No file is longer than 300 lines, no function longer than 60."""
+"""No file is longer than 300 lines, no function longer than 60, no line of code longer than 140 characters."""
 import ast
 import re
 
@@ -8,6 +8,7 @@ from house import is_code, main
 
 FILE_CAP = 300
 FUNCTION_CAP = 60
+LINE_CAP = 140
 NOT_CODE = re.compile(
     r'R"(?P<mark>[^(\s]*)\(.*?\)(?P=mark)"|//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|(?<![0-9a-zA-Z_])\'(?:\\.|[^\'\\\n])+\''
     r"|^[ \t]*#(?:[^\n]*\\\n)*[^\n]*",
@@ -77,6 +78,8 @@ def check(files):
         lines = text.count("\n")
         if lines > FILE_CAP:
             findings.append(f"{path}: {lines} lines; the cap is {FILE_CAP}: one idea for each file")
+        findings += [f"{path}:{number}: {len(line)} characters; the cap is {LINE_CAP}: see .clang-format"
+                     for number, line in enumerate(text.splitlines(), 1) if is_code(path) and len(line) > LINE_CAP]
         functions = python_functions(text) if python else cpp_functions(text) if is_code(path) else []
         for first, last in functions:
             if last - first + 1 > FUNCTION_CAP:
@@ -93,6 +96,7 @@ BAD = [
     {"core/a.hpp": "template <class T> struct A {\n    int c = 0;\n    int f() const noexcept {\n" + LONG + "    }\n};\n"},
     {"core/a.cpp": "char c = '{';\nauto s = \"}\"; // {\nvoid f() {\n" + LONG + "}\n"},
     {"tests/a.py": "def f():\n" + LONG},
+    {"core/a.hpp": "// " + "x" * LINE_CAP + "\n"},
 ]
 GOOD = {
     "core/a.hpp": "namespace core {\nstruct A {\n" + "    int f() { return 1; }\n" * 70 + "};\n} // namespace core\n",

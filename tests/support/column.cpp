@@ -47,8 +47,7 @@ Column::Column(const ColumnScene& scene) : scene_(scene), cell_(scene.diameter)
     const bool plate = scene.bottom == Bottom::plate;
     area_ = plate ? volume_ / d / (1.0 - scene.phi) : volume_ * scene.layers / (height * (1.0 - scene.phi));
     const double log_restitution = std::log(scene.restitution);
-    spring_ = 0.5 * mass_ * (std::pow(std::numbers::pi, 2) + log_restitution * log_restitution)
-            / (scene.contact_time * scene.contact_time);
+    spring_ = 0.5 * mass_ * (std::pow(std::numbers::pi, 2) + log_restitution * log_restitution) / (scene.contact_time * scene.contact_time);
     damper_ = -mass_ * log_restitution / scene.contact_time;
     substeps_ = static_cast<int>(std::ceil(scene.dt / (plate ? scene.contact_time / 20.0 : 2e-4)));
     for (std::size_t i = 0; i < count; ++i) {
@@ -180,8 +179,8 @@ Column::Pass Column::couple(const Told& told)
         const double dt = scene_.dt, phi = phi_[c], fluid = scene_.density * phi;
         const double miss = told.velocity[c] - advected_[c] - dt * told.acceleration[c];
         const GrainResponse sum = sum_at(predictor_sums, c);
-        du.push_back(physics::predicted_change({ledger_[c], told.force[c], exchanged[c], told.velocity[c], advected_[c], miss},
-                                               fluid, phi, sum, dt));
+        du.push_back(physics::predicted_change({ledger_[c], told.force[c], exchanged[c], told.velocity[c], advected_[c], miss}, fluid, phi,
+                                               sum, dt));
         const auto response = cell_response(fluid, phi, sum_at(projection_sums, c), dt);
         const double volume = phi * (told.velocity[c] + du[c]) + solid[c] + physics::predicted_solid_flux(du[c], miss, sum);
         change.push_back((scene_.flow(time_ + dt) - volume) / response.mobility);
@@ -192,8 +191,8 @@ Column::Pass Column::couple(const Told& told)
     }
     const Numbers now = sampled(pass.force), a = sampled(change), b = sampled(du), e = sampled(dug), m = sampled(misses);
     for (std::size_t i = 0; i < place_.size(); ++i) {
-        pass.owed.push_back(physics::owed_impulse({used[i], now[i], a[i], b[i], e[i], m[i]}, volume_, predictor[i],
-                                                  projection[i], scene_.dt));
+        pass.owed.push_back(
+            physics::owed_impulse({used[i], now[i], a[i], b[i], e[i], m[i]}, volume_, predictor[i], projection[i], scene_.dt));
     }
     return pass;
 }
@@ -204,8 +203,8 @@ void Column::step()
     const Numbers phi_before = phi_;
     const Numbers u = sampled(u_), phi = sampled(phi_);
     for (std::size_t i = 0; i < place_.size(); ++i) {
-        drag_[i] = scene_.drag * physics::drag_gidaspow_smooth({std::abs(u[i] - velocity_[i]), phi[i], scene_.diameter,
-                                                               scene_.density, scene_.viscosity});
+        drag_[i] = scene_.drag * physics::drag_gidaspow_smooth(
+                                     {std::abs(u[i] - velocity_[i]), phi[i], scene_.diameter, scene_.density, scene_.viscosity});
         stiffness_ = std::max(stiffness_, drag_[i] * scene_.dt / mass_);
     }
     const Mode asked = scene_.mode;
@@ -236,8 +235,7 @@ void Column::finish(const Pass& pass, const Numbers& phi_before)
         // Lanes that did not wait projected with the old phi: the fluid that filled the difference has the new velocity.
         const double before = scene_.density * phi_before[c], now = scene_.density * phi_[c];
         ledger_[c] = !waits_for_grains(scene_.mode)
-                         ? pass.mistaken[c] + (before - now) * pass.velocity[c]
-                               + physics::conserved_ledger(kept_[c], before, advected_[c])
+                         ? pass.mistaken[c] + (before - now) * pass.velocity[c] + physics::conserved_ledger(kept_[c], before, advected_[c])
                          : physics::conserved_ledger(kept_[c], now, advected_[c]);
         acceleration_[c] = (pass.velocity[c] - advected_[c]) / dt;
         flux_[c] = phi_[c] * pass.velocity[c];
@@ -268,9 +266,6 @@ double Column::rms_velocity() const
     return std::sqrt(sum / static_cast<double>(velocity_.size()));
 }
 
-double Column::drop_over_weight() const
-{
-    return total(force_) * area_ * cell_ / (-weight_ * static_cast<double>(place_.size()));
-}
+double Column::drop_over_weight() const { return total(force_) * area_ * cell_ / (-weight_ * static_cast<double>(place_.size())); }
 
 } // namespace testing

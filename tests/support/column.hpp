@@ -75,11 +75,11 @@ private:
     double mass_ = 0.0, volume_ = 0.0, added_ = 0.0, weight_ = 0.0, area_ = 0.0, cell_ = 0.0, bottom_ = 0.0, top_ = 0.0;
     double spring_ = 0.0, damper_ = 0.0, time_ = 0.0, outside_ = 0.0, stiffness_ = 0.0, start_ = 0.0;
     int substeps_ = 1;
-    Numbers place_, velocity_, owed_, drag_, share_;               // grains
+    Numbers place_, velocity_, owed_, drag_, share_;                           // grains
     Numbers u_, force_, ledger_, acceleration_, flux_, advected_, kept_, phi_; // cells
-    std::vector<std::size_t> low_;                                 // lower cell of each grain
+    std::vector<std::size_t> low_;                                             // lower cell of each grain
     Numbers high_weight_;
-    Numbers filter_;                                               // first row of the circulant filter
+    Numbers filter_; // first row of the circulant filter
 };
 
 } // namespace testing

@@ -31,8 +31,8 @@ inline ConductionProblem pipe_problem(int size, double wall_growth = 1.0)
                 const core::Index3 here{i, j, k};
                 core::Index3 below = here;
                 if (--below[axis] < 0) return;
-                p.face.on(b).along(axis)[here] = between(mesh.geometry(b).face[std::size_t(axis)].transmissibility(i, j, k),
-                                                         fraction(b, below), fraction(b, here));
+                p.face.on(b).along(axis)[here] =
+                    between(mesh.geometry(b).face[std::size_t(axis)].transmissibility(i, j, k), fraction(b, below), fraction(b, here));
             });
     const auto at_end = [&](const physics::LinkEnd& e) { return fraction(e.block, physics::cell_place(mesh.cells(e.block), e.cell)); };
     for (std::size_t l = 0; l < links.transmissibility.size(); ++l)

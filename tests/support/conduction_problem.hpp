@@ -18,16 +18,14 @@ struct ConductionProblem {
     core::ScalarField shift;
 
     explicit ConductionProblem(const std::vector<core::Extents>& cells)
-        : topology{cells, std::vector<int>(cells.size(), 0), 0, {}}, face({"transmissibility", "m3/(s Pa)", 0, true}, cells),
+        : topology{cells, std::vector<int>(cells.size(), 0), 0, {}},
+          face({"transmissibility", "m3/(s Pa)", 0, true}, cells),
           shift({"shift", "m3/(s Pa)", 0, true}, cells)
     {
         face.allocate();
         shift.allocate();
     }
-    [[nodiscard]] physics::Coefficients coefficients(bool with_shift = false) const
-    {
-        return {&face, link, with_shift ? &shift : nullptr};
-    }
+    [[nodiscard]] physics::Coefficients coefficients(bool with_shift = false) const { return {&face, link, with_shift ? &shift : nullptr}; }
     /// Row of the dense matrix of a cell.
     [[nodiscard]] Eigen::Index row(core::BlockId block, int cell) const
     {

@@ -72,7 +72,8 @@ inline constexpr std::array every_mode{io::CouplingMode::pipelined, io::Coupling
 /// A world, ready to step; sums and extremes are those of this rank.
 class CoupledRun {
 public:
-    explicit CoupledRun(const io::Scene& scene, const std::string& executor = "serial", const core::Communicator& ranks = core::Communicator::world())
+    explicit CoupledRun(const io::Scene& scene, const std::string& executor = "serial",
+                        const core::Communicator& ranks = core::Communicator::world())
         : executor_kind_(executor), world_(scene, ranks)
     {
         world_.settle(core::SerialTeam());

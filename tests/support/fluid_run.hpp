@@ -31,10 +31,14 @@ struct Carried {
 
 class FluidRun {
 public:
-    explicit FluidRun(core::MultiBlock grid, const physics::FluidParameters& parameters, const tasks::ExecutorOptions& executor = {.kind = "serial"},
+    explicit FluidRun(core::MultiBlock grid, const physics::FluidParameters& parameters,
+                      const tasks::ExecutorOptions& executor = {.kind = "serial"},
                       const core::Communicator& ranks = core::Communicator::world(), const Carried& carried = {})
-        : ranks_(ranks), mesh_(std::move(grid), ranks_.rank(), ranks_.size()),
-          filler_(mesh_, ranks_), step_(mesh_, ranks_, filler_, parameters), graph_(layout(mesh_), ranks_)
+        : ranks_(ranks),
+          mesh_(std::move(grid), ranks_.rank(), ranks_.size()),
+          filler_(mesh_, ranks_),
+          step_(mesh_, ranks_, filler_, parameters),
+          graph_(layout(mesh_), ranks_)
     {
         graph_.fill_halos_with(filler_);
         if (!carried.scalars.empty()) scalars_.emplace(mesh_, step_, carried.scalars);
@@ -50,7 +54,8 @@ public:
     }
 
     /// Sets the state at time 0; fluxes are interpolated.
-    void start(const VectorFunction& velocity, const ScalarFunction& pressure = [](const Vec3&) { return 0.0; })
+    void start(
+        const VectorFunction& velocity, const ScalarFunction& pressure = [](const Vec3&) { return 0.0; })
     {
         auto& state = step_.state();
         for (core::LocalBlock b = 0; b < mesh_.own_count(); ++b) {
@@ -82,7 +87,8 @@ public:
     /// sqrt of the volume mean of |velocity - expected|^2.
     [[nodiscard]] double velocity_error(const VectorFunction& expected) const
     {
-        return std::sqrt(mean([&](core::LocalBlock b, int i, int j, int k) { return (velocity(b, i, j, k) - expected(centre(b, i, j, k))).squaredNorm(); }));
+        return std::sqrt(mean(
+            [&](core::LocalBlock b, int i, int j, int k) { return (velocity(b, i, j, k) - expected(centre(b, i, j, k))).squaredNorm(); }));
     }
     /// The same of the pressure, means removed.
     [[nodiscard]] double pressure_error(const ScalarFunction& expected) const
@@ -104,11 +110,15 @@ public:
     /// Volume mean of a value in each cell.
     [[nodiscard]] double mean(const std::function<double(core::LocalBlock, int, int, int)>& value) const
     {
-        return core::sum_over_blocks(mesh_, ranks_, [&](core::LocalBlock b) {
-                   double sum = 0;
-                   core::for_each_cell(mesh_.geometry(b).cells, [&](int i, int j, int k) { sum += mesh_.geometry(b).volume(i, j, k) * value(b, i, j, k); });
-                   return sum;
-               }) / mesh_.total_volume();
+        return core::sum_over_blocks(mesh_, ranks_,
+                                     [&](core::LocalBlock b) {
+                                         double sum = 0;
+                                         core::for_each_cell(mesh_.geometry(b).cells, [&](int i, int j, int k) {
+                                             sum += mesh_.geometry(b).volume(i, j, k) * value(b, i, j, k);
+                                         });
+                                         return sum;
+                                     }) /
+               mesh_.total_volume();
     }
     [[nodiscard]] Vec3 velocity(core::LocalBlock b, int i, int j, int k) const
     {
@@ -123,7 +133,8 @@ public:
         for (core::LocalBlock b = 0; b < mesh_.own_count(); ++b) {
             const core::FaceView<const double> f = step_.state().flux.on(b);
             core::for_each_cell(mesh_.geometry(b).cells, [&](int i, int j, int k) {
-                outflow = std::max(outflow, std::abs(f.i(i + 1, j, k) - f.i(i, j, k) + f.j(i, j + 1, k) - f.j(i, j, k) + f.k(i, j, k + 1) - f.k(i, j, k)));
+                outflow = std::max(
+                    outflow, std::abs(f.i(i + 1, j, k) - f.i(i, j, k) + f.j(i, j + 1, k) - f.j(i, j, k) + f.k(i, j, k + 1) - f.k(i, j, k)));
                 flux = std::max({flux, std::abs(f.i(i, j, k)), std::abs(f.j(i, j, k)), std::abs(f.k(i, j, k))});
             });
         }

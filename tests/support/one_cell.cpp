@@ -122,7 +122,8 @@ OneCell::Lane OneCell::predict(const Grain& grain, const Told& told, const Lane&
     const Lane held = advance(grain, told, 1, Hold::fixed);
     const double share = grain.share;
     return {.velocity = free.velocity + share * (grain.velocity - free.velocity),
-            .exchanged = free.exchanged + share * (held.exchanged - free.exchanged), .share = share};
+            .exchanged = free.exchanged + share * (held.exchanged - free.exchanged),
+            .share = share};
 }
 
 OneCell::Pass OneCell::couple(const Told& told, double drive, const Pass* before) const
@@ -149,8 +150,7 @@ OneCell::Pass OneCell::couple(const Told& told, double drive, const Pass* before
     const double dt = scene_.dt;
     const double advected = u_ + (scene_.motion == Motion::transverse ? drive : 0.0);
     const double miss = told.velocity - u_ - dt * told.acceleration;
-    const double du = physics::predicted_change({ledger_, told.force, exchanged, told.velocity, advected, miss}, phi_, phi_,
-                                                predictor, dt);
+    const double du = physics::predicted_change({ledger_, told.force, exchanged, told.velocity, advected, miss}, phi_, phi_, predictor, dt);
     const physics::CellResponse response = cell_response(phi_, phi_, projection, dt);
     double change = 0.0;
     if (scene_.motion == Motion::confined) {

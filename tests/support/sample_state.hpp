@@ -53,7 +53,9 @@ struct State {
     std::vector<double> position; // 3 for each particle
 
     explicit State(io::BlockList list)
-        : blocks(std::move(list)), pressure({"pressure", "Pa", 1, true}, cells()), velocity({"velocity", "m/s", 2, true}, cells()),
+        : blocks(std::move(list)),
+          pressure({"pressure", "Pa", 1, true}, cells()),
+          velocity({"velocity", "m/s", 2, true}, cells()),
           flux({"flux", "m3/s", 0, true}, cells())
     {
         pressure.allocate();

@@ -32,10 +32,16 @@ class ScalarRun {
 public:
     ScalarRun(core::MultiBlock grid, const physics::BoundaryConditions& boundaries = {},
               const core::Communicator& ranks = core::Communicator::world())
-        : ranks_(ranks), mesh_(std::move(grid), ranks_.rank(), ranks_.size()), filler_(mesh_, ranks_),
-          walls_(physics::make_walls(mesh_, boundaries)), set_(mesh_, {{.name = "dye"}}),
-          layout_(mesh_.own(), mesh_.own_cells(), 0), carrier_({mesh_, walls_, filler_}), diffusion_({mesh_, walls_, filler_}, layout_),
-          flux_({"flux", "m3/s", 0, false}, mesh_.own_cells()), diffusivity_({"diffusivity", "m2/s", 0, false}, mesh_.own_cells()),
+        : ranks_(ranks),
+          mesh_(std::move(grid), ranks_.rank(), ranks_.size()),
+          filler_(mesh_, ranks_),
+          walls_(physics::make_walls(mesh_, boundaries)),
+          set_(mesh_, {{.name = "dye"}}),
+          layout_(mesh_.own(), mesh_.own_cells(), 0),
+          carrier_({mesh_, walls_, filler_}),
+          diffusion_({mesh_, walls_, filler_}, layout_),
+          flux_({"flux", "m3/s", 0, false}, mesh_.own_cells()),
+          diffusivity_({"diffusivity", "m2/s", 0, false}, mesh_.own_cells()),
           source_({"source", "", 0, false}, mesh_.own_cells())
     {
         flux_.allocate();
@@ -53,14 +59,18 @@ public:
     {
         const std::vector<physics::EntryValues> none(std::size_t(mesh_.own_count()));
         const physics::CarriedScalar scalar{&value(), none};
-        tasks::run(ranks_, core::SerialTeam(), [&](tasks::Lane& lane) { return carrier_.carry(lane, {flux_, set_.share, dt}, std::span(&scalar, 1)); });
+        tasks::run(ranks_, core::SerialTeam(), [&](tasks::Lane& lane) {
+            return carrier_.carry(lane, {flux_, set_.share, dt}, std::span(&scalar, 1));
+        });
     }
     void diffuse(double dt, double diffusivity)
     {
         for (core::LocalBlock b = 0; b < mesh_.own_count(); ++b)
             for (std::size_t a = 0; a < 3; ++a) std::fill(diffusivity_.data(b, a).begin(), diffusivity_.data(b, a).end(), diffusivity);
         for_each_cell([&](core::LocalBlock b, int i, int j, int k) { source_.on(b)(i, j, k) = value().on(b)(i, j, k); });
-        tasks::run(ranks_, core::SerialTeam(), [&](tasks::Lane& lane) { return diffusion_.solve(lane, {diffusivity_, set_.share, source_, dt}, value()); });
+        tasks::run(ranks_, core::SerialTeam(), [&](tasks::Lane& lane) {
+            return diffusion_.solve(lane, {diffusivity_, set_.share, source_, dt}, value());
+        });
     }
 
     /// Volume mean of |dye - expected|^power, its root.
@@ -68,7 +78,8 @@ public:
     {
         return std::pow(mean([&](core::LocalBlock b, int i, int j, int k) {
                             return std::pow(std::abs(value().on(b)(i, j, k) - expected(centre(b, i, j, k))), power);
-                        }), 1 / power);
+                        }),
+                        1 / power);
     }
     /// Amount of dye over the volume.
     [[nodiscard]] double amount()
@@ -100,11 +111,15 @@ private:
     [[nodiscard]] Vec3 centre(core::LocalBlock b, int i, int j, int k) const { return mesh_.geometry(b).centre(i, j, k); }
     [[nodiscard]] double mean(const OfCell& term) const
     {
-        return core::sum_over_blocks(mesh_, ranks_, [&](core::LocalBlock b) {
-                   double sum = 0;
-                   core::for_each_cell(mesh_.geometry(b).cells, [&](int i, int j, int k) { sum += mesh_.geometry(b).volume(i, j, k) * term(b, i, j, k); });
-                   return sum;
-               }) / mesh_.total_volume();
+        return core::sum_over_blocks(mesh_, ranks_,
+                                     [&](core::LocalBlock b) {
+                                         double sum = 0;
+                                         core::for_each_cell(mesh_.geometry(b).cells, [&](int i, int j, int k) {
+                                             sum += mesh_.geometry(b).volume(i, j, k) * term(b, i, j, k);
+                                         });
+                                         return sum;
+                                     }) /
+               mesh_.total_volume();
     }
 
     core::Communicator ranks_;

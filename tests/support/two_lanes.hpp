@@ -60,9 +60,14 @@ public:
     static constexpr int cells = 64, grains = 40, sweeps = 4, sub_steps = 6;
 
     explicit TwoLanes(const core::Communicator& ranks)
-        : ring_{ranks}, filler_(ring_), extents_(std::size_t(ring_.local()), core::Extents{cells, 1, 1}),
-          u_({"u", "m/s", 1, true}, extents_), smooth_({"smooth", "m/s", 1, false}, extents_),
-          grains_("grains", extents_.size(), Grains(grains)), force_("force", extents_.size()), scale_("scale", 1.0),
+        : ring_{ranks},
+          filler_(ring_),
+          extents_(std::size_t(ring_.local()), core::Extents{cells, 1, 1}),
+          u_({"u", "m/s", 1, true}, extents_),
+          smooth_({"smooth", "m/s", 1, false}, extents_),
+          grains_("grains", extents_.size(), Grains(grains)),
+          force_("force", extents_.size()),
+          scale_("scale", 1.0),
           graph_(tasks::Layout{std::vector<std::ptrdiff_t>(extents_.size(), cells), 1}, ranks)
     {
         graph_.fill_halos_with(filler_);
@@ -147,8 +152,7 @@ private:
     {
         const auto lane = graph_.lane("particles");
         graph_.whole(
-            "move grains",
-            [ring = ring_](tasks::Lane& lane, tasks::PerBlock<Grains>& x) { return move_grains(lane, ring, x); },
+            "move grains", [ring = ring_](tasks::Lane& lane, tasks::PerBlock<Grains>& x) { return move_grains(lane, ring, x); },
             tasks::updates(grains_));
     }
 

@@ -34,7 +34,10 @@ TEST_CASE("blocks that touch are apart, whether their points match or not")
 
 TEST_CASE("blocks that lie in one another are named, whichever is finer")
 {
-    const auto a = box({0, 0, 0}, {1, 1, 1}, 4), across = box({0.6, 0.2, 0.3}, {1.6, 1.2, 1.3}, 3), within = box({0.41, 0.42, 0.43}, {0.6, 0.6, 0.6}, 2);
-    for (const auto& [first, second] : {std::pair(a, across), std::pair(across, a), std::pair(a, within), std::pair(within, a), std::pair(a, a)})
-        CHECK_THROWS_WITH_AS(core::require_apart(two(first, second)), doctest::Contains("blocks 0 and 1 overlap: cell ("), core::ConfigError);
+    const auto a = box({0, 0, 0}, {1, 1, 1}, 4), across = box({0.6, 0.2, 0.3}, {1.6, 1.2, 1.3}, 3),
+               within = box({0.41, 0.42, 0.43}, {0.6, 0.6, 0.6}, 2);
+    for (const auto& [first, second] :
+         {std::pair(a, across), std::pair(across, a), std::pair(a, within), std::pair(within, a), std::pair(a, a)})
+        CHECK_THROWS_WITH_AS(core::require_apart(two(first, second)), doctest::Contains("blocks 0 and 1 overlap: cell ("),
+                             core::ConfigError);
 }

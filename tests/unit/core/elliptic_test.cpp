@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 // Elliptic grids against exact solutions of the Poisson system (NUMERICS C0 U1, U2), and what users ask of them.
-#include "core/grid/elliptic_grid.hpp"
 #include "core/base/error.hpp"
 #include "core/grid/box.hpp"
+#include "core/grid/elliptic_grid.hpp"
 #include "core/grid/hexahedron.hpp"
 #include "core/grid/mesh.hpp"
 #include "core/grid/pipe.hpp"
@@ -38,7 +38,9 @@ double largest_distance(const Vertices& a, const Vertices& b)
 double smallest_jacobian(const Vertices& v)
 {
     double smallest = 1;
-    core::for_each_cell(core::cells_of(v), [&](int i, int j, int k) { smallest = std::min(smallest, core::smallest_corner_jacobian(v, {i, j, k})); });
+    core::for_each_cell(core::cells_of(v), [&](int i, int j, int k) {
+        smallest = std::min(smallest, core::smallest_corner_jacobian(v, {i, j, k}));
+    });
     return smallest;
 }
 
@@ -74,9 +76,8 @@ double stretching_error(int n, Curvature kind)
     core::Elliptic wanted;
     wanted.curvature = kind;
     wanted.control = core::no_control(stretched.extents());
-    core::for_each_cell(stretched.extents(), [&](int i, int j, int k) {
-        wanted.control.source[0](i, j, k) = -n * e * e / a * std::exp(-2 * a * i / n);
-    });
+    core::for_each_cell(stretched.extents(),
+                        [&](int i, int j, int k) { wanted.control.source[0](i, j, k) = -n * e * e / a * std::exp(-2 * a * i / n); });
     return error_of(stretched, wanted);
 }
 
@@ -93,8 +94,9 @@ Vertices humped(Extents cells, double hump, double bulge)
         core::for_each({1, 1, k}, {cells.ni, cells.nj, k + 1}, [&](int i, int j, int kk) {
             const double s = double(i) / cells.ni, t = double(j) / cells.nj;
             const auto at = [&](int p, int q) { return block(p, q, kk); };
-            block(i, j, kk) = (1 - s) * at(0, j) + s * at(cells.ni, j) + (1 - t) * at(i, 0) + t * at(i, cells.nj) - (1 - s) * (1 - t) * at(0, 0) -
-                              s * (1 - t) * at(cells.ni, 0) - (1 - s) * t * at(0, cells.nj) - s * t * at(cells.ni, cells.nj);
+            block(i, j, kk) = (1 - s) * at(0, j) + s * at(cells.ni, j) + (1 - t) * at(i, 0) + t * at(i, cells.nj) -
+                              (1 - s) * (1 - t) * at(0, 0) - s * (1 - t) * at(cells.ni, 0) - (1 - s) * t * at(0, cells.nj) -
+                              s * t * at(cells.ni, cells.nj);
         });
     core::fill_transfinite(block);
     return block;
@@ -129,8 +131,8 @@ TEST_CASE("a bent duct that transfinite interpolation folds comes out whole")
     const auto result = core::make_elliptic(block, {});
     // Between two equal plane sides every layer is the same, to what iterations leave that stop at moves of 1e-6 edges.
     for (int j = 0; j <= 24; ++j) CHECK((block(8, j, 1) - block(8, j, 0) - Vec3(0, 0, 1.0 / 3)).norm() < 1e-5);
-    CHECK_THROWS_WITH_AS(static_cast<void>(core::make_elliptic_side(block, core::Side::j_low, {})), doctest::Contains("side j_low is not plane"),
-                         core::ConfigError);
+    CHECK_THROWS_WITH_AS(static_cast<void>(core::make_elliptic_side(block, core::Side::j_low, {})),
+                         doctest::Contains("side j_low is not plane"), core::ConfigError);
     MESSAGE("smallest Jacobian " << smallest_jacobian(block) << " after " << result.iterations << " iterations");
     CHECK(smallest_jacobian(block) > 0.05);
 }
@@ -147,14 +149,16 @@ TEST_CASE("the first cells at curved walls have the height that was asked for, w
     core::for_each({1, 0, 1}, {12, 1, 4}, [&](int i, int, int k) {
         for (const bool high : {false, true}) {
             const int foot = high ? 24 : 0, next = high ? 23 : 1;
-            const Vec3 normal = (block(i + 1, foot, k) - block(i - 1, foot, k)).cross(block(i, foot, k + 1) - block(i, foot, k - 1)).normalized();
+            const Vec3 normal =
+                (block(i + 1, foot, k) - block(i - 1, foot, k)).cross(block(i, foot, k + 1) - block(i, foot, k - 1)).normalized();
             const double height = std::abs(normal.dot(block(i, next, k) - block(i, foot, k)));
             worst = std::max(worst, std::abs(height / (high ? 0.01 : 0.004) - 1));
         }
     });
     CHECK(worst < 0.02);
     wanted.spacings[0].growth = wanted.spacings[1].growth = 1.05;
-    CHECK_THROWS_WITH_AS(static_cast<void>(core::make_elliptic(block, wanted)), doctest::Contains("let them grow faster"), core::ConfigError);
+    CHECK_THROWS_WITH_AS(static_cast<void>(core::make_elliptic(block, wanted)), doctest::Contains("let them grow faster"),
+                         core::ConfigError);
 }
 
 TEST_CASE("lines come to a surface, a line or a point that attracts them")
@@ -167,7 +171,8 @@ TEST_CASE("lines come to a surface, a line or a point that attracts them")
         CHECK(smallest_jacobian(block) > 0.5);
         return Vec3((block(5, 4, 4) - block(4, 4, 4)).x(), (block(4, 5, 4) - block(4, 4, 4)).y(), (block(4, 4, 5) - block(4, 4, 4)).z());
     };
-    const Vec3 surface = distance({4.0, std::nullopt, std::nullopt}), line = distance({4.0, 4.0, std::nullopt}), point = distance({4.0, 4.0, 4.0});
+    const Vec3 surface = distance({4.0, std::nullopt, std::nullopt}), line = distance({4.0, 4.0, std::nullopt}),
+               point = distance({4.0, 4.0, 4.0});
     CHECK(surface.x() < 0.9 / 8);
     CHECK(surface.y() == test::relative(0.125).epsilon(1e-6));
     CHECK(line.x() < 0.95 / 8);
@@ -191,7 +196,8 @@ TEST_CASE("the grid does not depend on how the block counts")
     core::make_elliptic(block, wanted);
     core::make_elliptic(other, wanted_there);
     double largest = 0;
-    core::for_each_cell(block.extents(), [&](int i, int j, int k) { largest = std::max(largest, (there(i, j, k) - block(i, j, k)).norm()); });
+    core::for_each_cell(block.extents(),
+                        [&](int i, int j, int k) { largest = std::max(largest, (there(i, j, k) - block(i, j, k)).norm()); });
     CHECK(largest < 1e-10); // both rest within 1e-12 of an edge per iteration, and halve the distance each time
 }
 
@@ -213,8 +219,8 @@ TEST_CASE("a spacing at the wall of a pipe reaches all its blocks, and they stil
     for (const core::BlockId b : {1, 4, 9})
         CHECK((mesh.vertices(b)(3, 1, 8) - mesh.vertices(b)(3, 1, 7)).norm() == test::relative(0.5e-3).epsilon(0.01));
     wanted.spacings = {{"floor", 1e-3, 1.2}};
-    CHECK_THROWS_WITH_AS(static_cast<void>(core::make_elliptic(grid, wanted)), doctest::Contains("no boundary of the grid is called 'floor'"),
-                         core::ConfigError);
+    CHECK_THROWS_WITH_AS(static_cast<void>(core::make_elliptic(grid, wanted)),
+                         doctest::Contains("no boundary of the grid is called 'floor'"), core::ConfigError);
 }
 
 TEST_CASE("the step of a channel hands its spacing on to the open water above it")

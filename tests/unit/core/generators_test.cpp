@@ -107,8 +107,10 @@ TEST_CASE("a pipe bends in space without twist, and impossible pieces are refuse
     const auto& last = mesh.vertices(mesh.blocks() - 5);
     const Vec3 middle = last(8, 2, 2);
     CHECK((middle - Vec3(0.15, 0.1, 0.05)).norm() < 1e-15); // 0.1 along x, a quarter to y, a quarter to z
-    CHECK_THROWS_WITH_AS(static_cast<void>(core::make_bent_pipe(bent({arc(1, 0.01, Vec3::UnitY())}))), doctest::Contains("piece 0"), core::ConfigError);
-    CHECK_THROWS_WITH_AS(static_cast<void>(core::make_bent_pipe(bent({arc(1, 0.1, Vec3::UnitX())}))), doctest::Contains("own axis"), core::ConfigError);
+    CHECK_THROWS_WITH_AS(static_cast<void>(core::make_bent_pipe(bent({arc(1, 0.01, Vec3::UnitY())}))), doctest::Contains("piece 0"),
+                         core::ConfigError);
+    CHECK_THROWS_WITH_AS(static_cast<void>(core::make_bent_pipe(bent({arc(1, 0.1, Vec3::UnitX())}))), doctest::Contains("own axis"),
+                         core::ConfigError);
 }
 
 TEST_CASE("a stepped channel has a step and, with periodic ends, a trench")

@@ -54,8 +54,9 @@ TEST_CASE("the owner of a point is the rank that owns its cell, whoever asks")
 
 TEST_CASE("points are found in the cells that hold them, from nothing and from any other cell")
 {
-    for (const auto& grid : {pipe(), core::make_box({{0, 0, 0}, {1, 1, 1}, {8, 8, 8}, {2, 1, 2}, {true, false, false}},
-                                                    [](const Vec3& x) { return Vec3(x.x() + 2 * x.y(), x.y(), x.z() + 0.2 * x.x() * (1 - x.x())); })}) {
+    for (const auto& grid : {pipe(), core::make_box({{0, 0, 0}, {1, 1, 1}, {8, 8, 8}, {2, 1, 2}, {true, false, false}}, [](const Vec3& x) {
+                                 return Vec3(x.x() + 2 * x.y(), x.y(), x.z() + 0.2 * x.x() * (1 - x.x()));
+                             })}) {
         const Mesh mesh(grid, 0, 1);
         const Locator locator(mesh);
         core::Location before;

@@ -100,7 +100,8 @@ TEST_CASE("halos of a position field repeat the halo centres, and the transpose 
     }
     halo.add_home(y);
     for (core::LocalBlock b = 0; b < mesh.own_count(); ++b)
-        core::for_each_cell(mesh.own_cells()[std::size_t(b)], [&](int i, int j, int k) { right += y.on(b).x(i, j, k) * x.on(b).x(i, j, k); });
+        core::for_each_cell(mesh.own_cells()[std::size_t(b)],
+                            [&](int i, int j, int k) { right += y.on(b).x(i, j, k) * x.on(b).x(i, j, k); });
     CHECK(left == test::relative(right).epsilon(1e-12));
 }
 

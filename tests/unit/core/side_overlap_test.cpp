@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 // Sides that meet without matching points: sub-faces, their sums, and the closure of every cell (NUMERICS B8, D 26).
-#include "core/grid/side_overlap.hpp"
 #include "core/base/random.hpp"
 #include "core/grid/box.hpp"
+#include "core/grid/side_overlap.hpp"
 #include "tests/support/relative.hpp"
 #include <doctest/doctest.h>
 #include <functional>
@@ -33,12 +33,13 @@ Vertices layer(const Layer& l, const Surface& surface, const core::Mat3& turn = 
 {
     core::Box box;
     box.cells = l.cells;
-    return core::make_box(box, [&](const Vec3& s) {
-               const double share = s.x() + l.stretch * s.x() * (1 - s.x());
-               const double x = l.x_low + share * (l.x_high - l.x_low), y = l.y_low + s.y() * (l.y_high - l.y_low);
-               const double z = l.bottom + s.z() * (l.top - l.bottom);
-               return Vec3(turn * Vec3(x, y, z + (1 - std::abs(z)) * surface(x, y)));
-           })
+    return core::make_box(box,
+                          [&](const Vec3& s) {
+                              const double share = s.x() + l.stretch * s.x() * (1 - s.x());
+                              const double x = l.x_low + share * (l.x_high - l.x_low), y = l.y_low + s.y() * (l.y_high - l.y_low);
+                              const double z = l.bottom + s.z() * (l.top - l.bottom);
+                              return Vec3(turn * Vec3(x, y, z + (1 - std::abs(z)) * surface(x, y)));
+                          })
         .blocks.front();
 }
 
@@ -70,8 +71,12 @@ double open_part(const Vertices& block, const SideTiling& tiling, const std::vec
 {
     const auto sub = sums(tiling, overlaps, false);
     const core::EdgeSlivers slivers = core::edge_slivers(tiling, overlaps);
-    const auto i_face = [&](int p, int q) { return Vec3(core::face_shape(core::face_corners(block, 0, {p, q, 0})).area + slivers[1](p, q, 0)); };
-    const auto j_face = [&](int p, int q) { return Vec3(core::face_shape(core::face_corners(block, 1, {p, q, 0})).area - slivers[0](p, q, 0)); };
+    const auto i_face = [&](int p, int q) {
+        return Vec3(core::face_shape(core::face_corners(block, 0, {p, q, 0})).area + slivers[1](p, q, 0));
+    };
+    const auto j_face = [&](int p, int q) {
+        return Vec3(core::face_shape(core::face_corners(block, 1, {p, q, 0})).area - slivers[0](p, q, 0));
+    };
     double largest = 0;
     for (int q = 0; q < tiling.nq(); ++q)
         for (int p = 0; p < tiling.np(); ++p) {
@@ -88,7 +93,8 @@ double open_part_of_master(const SideTiling& master, const SideOverlap& overlap)
     const auto sub = sums(master, {&overlap}, true);
     double largest = 0;
     for (int q = 0; q < master.nq(); ++q)
-        for (int p = 0; p < master.np(); ++p) largest = std::max(largest, (sub(p, q, 0) - master.area(p, q)).norm() / master.area(p, q).norm());
+        for (int p = 0; p < master.np(); ++p)
+            largest = std::max(largest, (sub(p, q, 0) - master.area(p, q)).norm() / master.area(p, q).norm());
     return largest;
 }
 
@@ -146,7 +152,8 @@ TEST_CASE("cells close when the points of both sides are shaken by a fifth of a 
 TEST_CASE("the sub-faces of flat sides have the area of both, those of curved sides that of the surface to second order")
 {
     const auto area = [](const Surface& surface, int n, int m) {
-        return total(core::overlap({layer({{n, n, 1}, 0, 1, 0, 1, -1, 0}, surface), Side::k_high}, {layer({{m, m, 1}}, surface), Side::k_low}));
+        return total(
+            core::overlap({layer({{n, n, 1}, 0, 1, 0, 1, -1, 0}, surface), Side::k_high}, {layer({{m, m, 1}}, surface), Side::k_low}));
     };
     CHECK(area(flat, 5, 7) == test::relative(1).epsilon(1e-13));
     const double exact = 4 * std::asin(0.25); // a strip of a cylinder of radius 2

@@ -14,7 +14,8 @@ TEST_CASE("rectangles of copies move every element to its place, however regular
         core::StridedCopies copies;
         std::vector<double> to(4000, 0.0), expected(4000, 0.0);
         const auto pick = [&](int n) { return std::ptrdiff_t(random() % unsigned(n)); };
-        const std::ptrdiff_t rows = 1 + pick(5), columns = 1 + pick(5), to_pitch = 20 + pick(9), from_pitch = 20 + pick(9), step = 1 + pick(3);
+        const std::ptrdiff_t rows = 1 + pick(5), columns = 1 + pick(5), to_pitch = 20 + pick(9), from_pitch = 20 + pick(9),
+                             step = 1 + pick(3);
         for (std::ptrdiff_t r = 0; r < rows; ++r)
             for (std::ptrdiff_t c = 0; c < columns; ++c) {
                 const std::ptrdiff_t astray = pick(10) == 0 ? 2000 + pick(1900) : 0; // some break the rows

@@ -36,7 +36,8 @@ core::ScalarField filled(const Mesh& mesh, const std::function<double(const Vec3
     core::ScalarField field({"value", "1", 3, false}, mesh.own_cells());
     field.allocate();
     for (core::LocalBlock b = 0; b < mesh.own_count(); ++b)
-        core::for_each_cell(mesh.geometry(b).cells, [&](int i, int j, int k) { field.on(b)(i, j, k) = value(mesh.geometry(b).centre(i, j, k)); });
+        core::for_each_cell(mesh.geometry(b).cells,
+                            [&](int i, int j, int k) { field.on(b)(i, j, k) = value(mesh.geometry(b).centre(i, j, k)); });
     core::HaloExchange(mesh, core::Communicator::self(), 3, 3, core::HaloShape::full).fill(field);
     return field;
 }
@@ -124,7 +125,8 @@ TEST_CASE("a side that others cover in part only is refused by name")
 {
     const core::Box below{{0, 0, 0}, {2, 1, 1}, {8, 3, 4}, {1, 1, 1}, {}}, above{{0, 1, 0}, {1, 2, 1}, {5, 3, 3}, {1, 1, 1}, {}};
     CHECK_THROWS_WITH_AS(Mesh(test::joined({below, above}, {}, [](const Vec3& x) { return x; }), 0, 1),
-                         "side j_high of block 0 lies on others over 0 % of its face (4, 0) only: let it end where they end", core::ConfigError);
+                         "side j_high of block 0 lies on others over 0 % of its face (4, 0) only: let it end where they end",
+                         core::ConfigError);
 }
 
 TEST_CASE("blocks are cut where others end on their sides, and with them those that match them")
@@ -151,7 +153,6 @@ TEST_CASE("blocks are cut where others end on their sides, and with them those t
     CHECK(mesh.total_volume() == doctest::Approx(5));
     CHECK(open_part(mesh) < 1e-13);
     const auto& boundaries = mesh.topology().boundaries;
-    CHECK(std::any_of(boundaries.begin(), boundaries.end(), [](const core::Boundary& b) {
-        return b.block == 2 && b.side == core::Side::i_high && b.name == "of block 1";
-    }));
+    CHECK(std::any_of(boundaries.begin(), boundaries.end(),
+                      [](const core::Boundary& b) { return b.block == 2 && b.side == core::Side::i_high && b.name == "of block 1"; }));
 }

@@ -89,11 +89,10 @@ TEST_CASE("one changed byte in any dataset is refused by name, and the checkpoin
     const State state = whole_state(1.0);
     const std::string good = state.write(folder.path(), 1, alone()), path = state.write(folder.path(), 2, alone());
     const std::string bytes = bytes_of(path);
-    const std::pair<double, std::string> parts[] = {
-        {support::value_of(1.0, 2, 0, {1, 1, 1}), "fields/pressure"},
-        {support::value_of(11.0, 4, 2, {1, 1, 1}), "fields/velocity"},
-        {support::value_of(21.0, 0, 1, {1, 4, 1}), "fields/flux"},
-        {std::cos(1.0 + 8999 + 0.2), "rows/particles/position"}};
+    const std::pair<double, std::string> parts[] = {{support::value_of(1.0, 2, 0, {1, 1, 1}), "fields/pressure"},
+                                                    {support::value_of(11.0, 4, 2, {1, 1, 1}), "fields/velocity"},
+                                                    {support::value_of(21.0, 0, 1, {1, 4, 1}), "fields/flux"},
+                                                    {std::cos(1.0 + 8999 + 0.2), "rows/particles/position"}};
     for (const auto& [value, name] : parts) {
         std::string changed = bytes;
         REQUIRE(place_of(bytes, value) != std::string::npos);
@@ -116,12 +115,9 @@ TEST_CASE("a changed byte anywhere is refused or without effect")
         std::string changed = bytes;
         changed[place] ^= 0x10;
         set_bytes(path, changed);
-        if (io::newest_good_checkpoint(folder.path(), alone()).path.empty())
-            ++refused;
-        else if (io::CheckpointReader(path, alone()).digest() == digest)
-            ++harmless;
-        else
-            FAIL("an unnoticed change at byte ", place);
+        if (io::newest_good_checkpoint(folder.path(), alone()).path.empty()) ++refused;
+        else if (io::CheckpointReader(path, alone()).digest() == digest) ++harmless;
+        else FAIL("an unnoticed change at byte ", place);
     }
     MESSAGE(refused, " changes refused, ", harmless, " without effect");
     CHECK(refused > 20 * harmless); // what is left over are unused places between datasets

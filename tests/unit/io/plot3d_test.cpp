@@ -246,8 +246,9 @@ TEST_CASE("a scene takes its blocks from a file beside it, and mistakes are told
 {
     const TemporaryFolder folder;
     write_file(folder.path() / "grid.xyz", as_text(two_boxes().blocks));
-    const std::string scene = "name: t\ngrid:\n  blocks: { file: grid.xyz, other_sides: wall }\nfluid: { water: { density: 1 kg/m3, viscosity: 1 m2/s } }\n"
-                              "run: { until: 1 s }\n";
+    const std::string scene =
+        "name: t\ngrid:\n  blocks: { file: grid.xyz, other_sides: wall }\nfluid: { water: { density: 1 kg/m3, viscosity: 1 m2/s } }\n"
+        "run: { until: 1 s }\n";
     write_file(folder.path() / "scene.yaml", scene);
     const io::Scene read = io::read_scene(folder.path());
     CHECK(read.grid.blocks->file == (folder.path() / "grid.xyz").string());

@@ -9,12 +9,9 @@ using test_scene::with;
 
 TEST_CASE("cells must divide into blocks, and are given once")
 {
-    CHECK(problem_of(with("90 mm", "90 mm, blocks_along: 5")) ==
-          "3:57 32 cells along the pipe do not divide into 5 blocks");
-    CHECK(problem_of(with("90 mm", "90 mm, cells: { across: 14, along: 32 }")) ==
-          "3:60 14 cells across are not a multiple of 4");
-    CHECK(problem_of(with("90 mm", "90 mm, size: small, cells: { across: 12, along: 32 }")) ==
-          "3:56 'cells' excludes 'size'");
+    CHECK(problem_of(with("90 mm", "90 mm, blocks_along: 5")) == "3:57 32 cells along the pipe do not divide into 5 blocks");
+    CHECK(problem_of(with("90 mm", "90 mm, cells: { across: 14, along: 32 }")) == "3:60 14 cells across are not a multiple of 4");
+    CHECK(problem_of(with("90 mm", "90 mm, size: small, cells: { across: 12, along: 32 }")) == "3:56 'cells' excludes 'size'");
 }
 
 TEST_CASE("the named sizes of a pipe have about 2, 6 and 20 thousand cells that divide into four blocks")
@@ -40,8 +37,8 @@ TEST_CASE("a drive needs a periodic axis, and one way to change")
 TEST_CASE("the blocks of a box divide its cells")
 {
     CHECK(problem_of(with("pipe: { diameter: 50 mm, length: 90 mm }",
-                          "box: { size: [9 mm, 9 mm, 9 mm], cells: [8, 8, 8], blocks: [1, 3, 1] }",
-                          with("[axial]", "[x]"))) == "3:62 8 cells along y do not divide into 3 blocks");
+                          "box: { size: [9 mm, 9 mm, 9 mm], cells: [8, 8, 8], blocks: [1, 3, 1] }", with("[axial]", "[x]"))) ==
+          "3:62 8 cells along y do not divide into 3 blocks");
 }
 
 TEST_CASE("boundaries have names that the grid knows, and the keys of their kind")
@@ -59,7 +56,8 @@ TEST_CASE("scalars have names of their own and boundaries that exist; turbulence
     const auto fluid = [](const std::string& text) { return with("  water:", "  " + text + "\n  water:"); };
     CHECK(problem_of(fluid("scalars: [ { name: dye }, { name: dye } ]")) == "6:37 the name 'dye' is taken");
     CHECK(problem_of(fluid("scalars: [ { name: pressure } ]")) == "6:22 the name 'pressure' is taken");
-    CHECK(problem_of(fluid("scalars: [ { name: dye, entering: [ { at: inlet, value: 1 } ] } ]")).ends_with("the grid has no boundary 'inlet'"));
+    CHECK(problem_of(fluid("scalars: [ { name: dye, entering: [ { at: inlet, value: 1 } ] } ]"))
+              .ends_with("the grid has no boundary 'inlet'"));
     CHECK(problem_of(fluid("turbulence: { model: k-epsilon }")) == "6:3 turbulence needs 'speed' where nothing flows in");
     CHECK(problem_of(fluid("turbulence: { model: k-omega, speed: 1 m/s }")) != "");
     CHECK(problem_of(fluid("turbulence: { model: none }")) == "");
@@ -72,8 +70,7 @@ TEST_CASE("particles need contact, names of their own, and room")
           "10:13 two species are named 'S'");
     CHECK(problem_of(with("2 mm", "60 mm")).starts_with("9:37 the particles are larger than the domain"));
     // 30 mm high centres of 2 mm spheres in a 50 mm pipe: the wall is at 25 mm.
-    CHECK(problem_of(with("2 mm", "2 mm, initial: { high: [0.09 m, 30 mm, 0 m] }")) ==
-          "9:60 particles would be outside the domain");
+    CHECK(problem_of(with("2 mm", "2 mm, initial: { high: [0.09 m, 30 mm, 0 m] }")) == "9:60 particles would be outside the domain");
     CHECK(problem_of(with("2 mm", "2 mm, initial: { low: [1 mm, 9 mm, 0 m], high: [2 mm, 8 mm, 0 m] }")) ==
           "9:59 'low' is above 'high' along y");
     // 20,000 spheres of 2 mm have 8.4e-5 m3, 47 % of the pipe's 1.77e-4 m3.
@@ -87,8 +84,7 @@ TEST_CASE("keys that would do nothing are mistakes")
     CHECK(problem_of(with("run:", "coupling: {}\nrun:", with(particles, ""))) ==
           "8:1 'contact' does nothing without 'particles'\n9:1 'coupling' needs both 'fluid' and 'particles'");
     CHECK(problem_of(with("until: 1 s", "until: 1 s, time_step: 2 s")) == "11:31 the time step is longer than the run");
-    CHECK(problem_of(with("run:", "coupling: { filter: 20 d }\nrun:")) ==
-          "11:21 a filter of 0.04 m is wider than half of the domain");
+    CHECK(problem_of(with("run:", "coupling: { filter: 20 d }\nrun:")) == "11:21 a filter of 0.04 m is wider than half of the domain");
     CHECK(problem_of("name: empty\ngrid: { pipe: { diameter: 1 m, length: 1 m } }\nrun: { until: 1 s }\n") ==
           "1:1 the scene has neither 'fluid' nor 'particles'");
 }

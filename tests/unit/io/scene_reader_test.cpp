@@ -42,8 +42,7 @@ TEST_CASE("every kind of mistake is shown at its line and column")
 TEST_CASE("broken YAML is shown at its place")
 {
     CHECK(problem_of("name: [a\n").starts_with("2:1 YAML: "));
-    CHECK(problem_of(test_scene::good + "---\nname: second\n") ==
-          "13:1 a second document begins here; a scene is one document");
+    CHECK(problem_of(test_scene::good + "---\nname: second\n") == "13:1 a second document begins here; a scene is one document");
     CHECK(problem_of(with("[axial]", "&a [*a]")).find("this alias refers to itself") != std::string::npos);
 }
 
@@ -52,8 +51,8 @@ TEST_CASE("all mistakes of a file are shown at once, in the order of the text")
     auto text = with("50 mm", "50");
     text = with("2 mm", "2 kg", text);
     text = with("stiffness", "stifness", text);
-    CHECK(problems_of(text) == std::vector<std::string>{"3:21 '50' has no unit", "9:37 'kg' has the wrong dimension",
-                                                         "10:12 unknown key 'stifness'"});
+    CHECK(problems_of(text) ==
+          std::vector<std::string>{"3:21 '50' has no unit", "9:37 'kg' has the wrong dimension", "10:12 unknown key 'stifness'"});
 }
 
 TEST_CASE("a problem shows the line, a caret below the place, and what to do")
@@ -95,9 +94,9 @@ TEST_CASE("anchors and merge keys are expanded, and a key of its own wins over a
 
 TEST_CASE("overrides replace and add keys, and their mistakes have places")
 {
-    const auto [scene, problems] = io::read_scene_text(
-        "scene.yaml", test_scene::good,
-        {"grid.pipe.diameter=40 mm", "particles.S.count=7", "particles.0.diameter=1 mm", "output.results=every 1 ms"});
+    const auto [scene, problems] =
+        io::read_scene_text("scene.yaml", test_scene::good,
+                            {"grid.pipe.diameter=40 mm", "particles.S.count=7", "particles.0.diameter=1 mm", "output.results=every 1 ms"});
     CHECK(problems->text() == "");
     CHECK(scene.grid.pipe->diameter == 0.04);
     CHECK(scene.particles.at(0).count == 7);

@@ -40,15 +40,16 @@ TEST_CASE("every value survives the resolved text")
     scene.grid.box = io::BoxGrid{{0.1, 1.0 / 3.0, 0.2}, {4, 6, 8}, {1, 2, 4}};
     scene.grid.periodic = {io::Axis::x, io::Axis::z};
     scene.fluid->material.name = "null";
-    scene.fluid->boundaries = {{"y_low", io::BoundaryKind::slip, {}, {}}, {"y_high", io::BoundaryKind::wall, core::Vec3(0.1, 0, 1.0 / 3.0), {}}};
+    scene.fluid->boundaries = {{"y_low", io::BoundaryKind::slip, {}, {}},
+                               {"y_high", io::BoundaryKind::wall, core::Vec3(0.1, 0, 1.0 / 3.0), {}}};
     scene.fluid->drive = io::Drive{-3.0, io::Axis::z, 2.5, {}};
     scene.gravity = io::Gravity{core::Vec3(1, 2, -2) / 3.0, 1.62};
     scene.particles.push_back({"-5", 3, 1e-3, 2500.0, {}});
     scene.particles[1].initial = {io::Arrangement::packed, core::Vec3(0.02, 0.02, 0.02), core::Vec3(0.03, 0.04, 0.05),
                                   core::Vec3(0.0, -0.1, 1e-300), 0.99};
     scene.contact = io::Contact{io::ContactLaw::linear, 1e4 / 3.0, 0.9, 0.1, 0.5, 50, io::WallShape::primitive};
-    scene.coupling = io::Coupling{io::CouplingMode::iterated, {0.003, false}, io::CouplingPreset::seed, io::DragLaw::smooth,
-                                  io::MagnusLaw::rubinow_keller, io::Switch::on, io::Switch::off, io::Switch::on};
+    scene.coupling = io::Coupling{io::CouplingMode::iterated,    {0.003, false}, io::CouplingPreset::seed, io::DragLaw::smooth,
+                                  io::MagnusLaw::rubinow_keller, io::Switch::on, io::Switch::off,          io::Switch::on};
     scene.run = {0.5, 2.0, 1e-3, {0.7}, 42, 3600.0};
     scene.output = {{io::Interval::Clock::steps, 10.0}, {}, {io::Interval::Clock::wall, 60.0}, {}, 5};
     scene.solver.tolerance = 1e-11;

@@ -9,10 +9,7 @@
 
 namespace {
 
-io::StopReason agreed(const io::StopRequests& requests)
-{
-    return requests.agree(core::Communicator::self());
-}
+io::StopReason agreed(const io::StopRequests& requests) { return requests.agree(core::Communicator::self()); }
 
 } // namespace
 
@@ -60,8 +57,7 @@ TEST_CASE("a second Ctrl-C is not caught")
 TEST_CASE("mpirun is told not to bind, and the rest only where needed")
 {
     auto has = [](const io::Launch& launch, const std::string& name) {
-        return std::any_of(launch.environment.begin(), launch.environment.end(),
-                           [&](const auto& pair) { return pair.first == name; });
+        return std::any_of(launch.environment.begin(), launch.environment.end(), [&](const auto& pair) { return pair.first == name; });
     };
     const auto two = io::mpirun_launch(2, {"/opt/isago", "run", "x"}, {2, false});
     CHECK(two.command == std::vector<std::string>{"mpirun", "-n", "2", "--bind-to", "none", "/opt/isago", "run", "x"});

@@ -9,8 +9,9 @@
 
 namespace {
 
-const std::string oscillating = "scene: { name: p, grid: { pipe: { diameter: 1 m, length: 1 m }, periodic: [axial] }, "
-                         "fluid: { w: { density: 1 kg/m3, viscosity: 1 m2/s }, drive: { pressure_gradient: 1 Pa/m, frequency: 1 Hz } }, run: { until: 1 s } }\n";
+const std::string oscillating =
+    "scene: { name: p, grid: { pipe: { diameter: 1 m, length: 1 m }, periodic: [axial] }, "
+    "fluid: { w: { density: 1 kg/m3, viscosity: 1 m2/s }, drive: { pressure_gradient: 1 Pa/m, frequency: 1 Hz } }, run: { until: 1 s } }\n";
 
 std::string refusal(const std::string& text)
 {
@@ -40,7 +41,8 @@ io::StudyRun run_with(double h, double dt, double error, double wall, std::vecto
 TEST_CASE("a study runs all combinations, the last axis fastest, with the period cut into steps")
 {
     const TemporaryFolder folder;
-    write_file(folder.path() / "study.yaml", "name: s\nerror: womersley\n" + oscillating + "vary: { cells: [[8, 4], [12, 4]], steps_per_period: [10, 20, 40] }\n");
+    write_file(folder.path() / "study.yaml",
+               "name: s\nerror: womersley\n" + oscillating + "vary: { cells: [[8, 4], [12, 4]], steps_per_period: [10, 20, 40] }\n");
     const auto plan = io::read_study(folder.path() / "study.yaml");
     REQUIRE(plan.cases.size() == 6);
     CHECK(plan.cases[1].labels == std::vector<std::string>{"8x4", "20"});
@@ -57,7 +59,8 @@ TEST_CASE("mistakes of a study are shown with their places")
     CHECK(refusal("name: s\nerror: self\n" + oscillating + "vary: { cells: [[8, 4, 2]] }\n").find("[across, along]") != std::string::npos);
     CHECK(refusal("name: s\nerror: self\n" + oscillating + "vary: { cells: [[9, 4]] }\n").find("multiple of 4") != std::string::npos);
     CHECK(refusal("name: s\nerror: self\n" + oscillating + "vary: { }\n").find("nothing to vary") != std::string::npos);
-    CHECK(refusal("name: s\nerror: womersley\n" + oscillating + "vary: { cells: [[8, 4]] }\n").find("steps_per_period") != std::string::npos);
+    CHECK(refusal("name: s\nerror: womersley\n" + oscillating + "vary: { cells: [[8, 4]] }\n").find("steps_per_period") !=
+          std::string::npos);
 }
 
 TEST_CASE("the order comes out of the differences at three unequal steps")
@@ -70,7 +73,8 @@ TEST_CASE("the order comes out of the differences at three unequal steps")
 
 TEST_CASE("nobody beats the front, and orders compare runs that differ in one size only")
 {
-    const std::vector<io::StudyRun> runs{run_with(0.2, 0.1, 4e-2, 1, {0, 0}), run_with(0.1, 0.1, 1e-2, 8, {1, 0}), run_with(0.1, 0.05, 2e-2, 16, {1, 1})};
+    const std::vector<io::StudyRun> runs{run_with(0.2, 0.1, 4e-2, 1, {0, 0}), run_with(0.1, 0.1, 1e-2, 8, {1, 0}),
+                                         run_with(0.1, 0.05, 2e-2, 16, {1, 1})};
     CHECK(io::pareto_front(runs) == std::vector<bool>{true, true, false});
     const auto orders = io::observed_orders(runs, core::Communicator::self());
     CHECK(orders[1].h.value_or(0) == test::relative(2.0));

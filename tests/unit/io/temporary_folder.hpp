@@ -31,7 +31,4 @@ inline std::string text_of_file(const std::filesystem::path& file)
     return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-inline void write_file(const std::filesystem::path& file, const std::string& text)
-{
-    std::ofstream(file) << text;
-}
+inline void write_file(const std::filesystem::path& file, const std::string& text) { std::ofstream(file) << text; }

@@ -43,6 +43,5 @@ TEST_CASE("a quantity without its unit, or with a wrong one, is refused and told
 
 TEST_CASE("a number written as text reads back as the same bits")
 {
-    for (double x : {0.1, 1.0 / 3.0, 5e-324, 1.7976931348623157e308, -0.0, 33300.0})
-        CHECK(io::parse_number(io::number_text(x)) == x);
+    for (double x : {0.1, 1.0 / 3.0, 5e-324, 1.7976931348623157e308, -0.0, 33300.0}) CHECK(io::parse_number(io::number_text(x)) == x);
 }

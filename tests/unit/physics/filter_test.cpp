@@ -25,7 +25,8 @@ struct RandomCase {
     physics::Filter filter;
 
     RandomCase(unsigned seed, int most_steps)
-        : problem(test::random_blocks(seed, 10.0)), volume(scalar(problem.topology.cells)),
+        : problem(test::random_blocks(seed, 10.0)),
+          volume(scalar(problem.topology.cells)),
           filter(problem.topology, {.bandwidth = 0.7, .most_steps = most_steps})
     {
         for (std::size_t b = 0; b < volume.blocks(); ++b)
@@ -107,7 +108,8 @@ TEST_CASE("the Chebyshev filter is the exponential of the assembled Laplacian")
     const Eigen::VectorXd in = c.vector(field[0]).cwiseQuotient(root);
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(a);
     const Eigen::VectorXd decay = (-0.25 * 0.7 * 0.7 * eigen.eigenvalues().array()).exp();
-    const Eigen::VectorXd expected = root.asDiagonal() * (eigen.eigenvectors() * (decay.asDiagonal() * (eigen.eigenvectors().transpose() * in)));
+    const Eigen::VectorXd expected =
+        root.asDiagonal() * (eigen.eigenvectors() * (decay.asDiagonal() * (eigen.eigenvectors().transpose() * in)));
     c.apply(field);
     // The series is cut at 1e-6 of the norm of the field, some 17 for 300 cells of about 1.
     CHECK((c.vector(field[0]) - expected).cwiseAbs().maxCoeff() < 2e-5);
@@ -163,7 +165,8 @@ TEST_CASE("a filled cell becomes a Gaussian of the bandwidth and goes below zero
         MESSAGE("degree " << filter.degree() << ", lowest " << lowest << ", deviation from the Gaussian " << worst / peak);
         CHECK(lowest >= (most_steps == 0 ? -1e-6 : 0.0));
         CHECK(sum == test::relative(1.0).epsilon(1e-13));
-        // The second moment of the discrete kernel is exactly bandwidth^2 / 2, but for what walls reflect; the cut of the Chebyshev series shows.
+        // The second moment of the discrete kernel is exactly bandwidth^2 / 2, but for what walls reflect; the cut of the
+        // Chebyshev series shows.
         CHECK(moment == test::relative(0.5 * bandwidth * bandwidth).epsilon(most_steps == 0 ? 1e-3 : 1e-6));
         // The discrete kernel differs from the Gaussian by terms of (h / bandwidth)^2 = 1/16.
         CHECK(worst < 0.0625 * 1.5 * peak);

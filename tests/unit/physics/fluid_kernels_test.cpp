@@ -3,12 +3,12 @@
 #include "core/base/error.hpp"
 #include "core/comm/halo.hpp"
 #include "core/grid/box.hpp"
-#include "physics/fluid/boundary_halo.hpp"
+#include "physics/coupling/time_step.hpp"
 #include "physics/fluid/boundary.hpp"
+#include "physics/fluid/boundary_halo.hpp"
 #include "physics/fluid/drive.hpp"
 #include "physics/fluid/gradient.hpp"
 #include "physics/fluid/hermite.hpp"
-#include "physics/coupling/time_step.hpp"
 #include "tests/support/relative.hpp"
 #include <complex>
 #include <doctest/doctest.h>
@@ -54,7 +54,9 @@ TEST_CASE("least-squares gradients of a linear field are exact on a wavy grid, w
     // Mirrored centres make the halo of a linear field linear: both kinds of matrices must see the same slope inside.
     core::for_each({-1, -1, -1}, {7, 6, 5}, [&](int i, int j, int k) { q.on(0)(i, j, k) = slope.dot(geometry.centre(i, j, k)); });
     physics::gradient(geometry, geometry.wall_gradient, q.on(0), g.on(0));
-    const auto error = [&](int i, int j, int k) { return (Vec3(g.on(0).x(i, j, k), g.on(0).y(i, j, k), g.on(0).z(i, j, k)) - slope).norm(); };
+    const auto error = [&](int i, int j, int k) {
+        return (Vec3(g.on(0).x(i, j, k), g.on(0).y(i, j, k), g.on(0).z(i, j, k)) - slope).norm();
+    };
     double worst = 0;
     core::for_each_cell(geometry.cells, [&](int i, int j, int k) { worst = std::max(worst, error(i, j, k)); });
     CHECK(worst < 1e-12);

@@ -70,7 +70,9 @@ TEST_CASE("strain a hundred times faster than turbulence does not make it withou
 TEST_CASE("friction at walls follows the viscous law below y* = 11.2, the logarithmic one above, and does not jump")
 {
     const double nu = 1e-6, y = 1e-3;
-    const auto at = [&](double distance) { return physics::wall_layer(std::pow(distance * nu / y, 2) / std::sqrt(physics::k_epsilon.c_mu), y, nu, 0); };
+    const auto at = [&](double distance) {
+        return physics::wall_layer(std::pow(distance * nu / y, 2) / std::sqrt(physics::k_epsilon.c_mu), y, nu, 0);
+    };
     for (const double distance : {0.0, 0.5, 1.0, 5.0, 11.0}) CHECK(at(distance).viscosity == 1.0);
     for (const double distance : {30.0, 300.0, 1e4})
         CHECK(at(distance).viscosity == test::relative(0.4187 * distance / std::log(9.793 * distance)).epsilon(1e-12));
@@ -98,6 +100,7 @@ TEST_CASE("rough walls brake more, and grains as large as cells are no singulari
         before = layer.viscosity;
     }
     // Nikuradse's fully rough law, u+ = ln(y / k_s) / kappa + 8.5, to what 0.3 k_s+ in place of 1 + 0.3 k_s+ and 8.3 for 8.5 make.
-    const double roughness = 1e-3, speed_ratio = physics::wall_layer(k, y, nu, roughness).distance / physics::wall_layer(k, y, nu, roughness).viscosity;
+    const double roughness = 1e-3,
+                 speed_ratio = physics::wall_layer(k, y, nu, roughness).distance / physics::wall_layer(k, y, nu, roughness).viscosity;
     CHECK(speed_ratio == test::relative(std::log(y / roughness) / 0.4187 + 8.5).epsilon(0.03));
 }

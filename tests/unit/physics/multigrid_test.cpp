@@ -129,8 +129,8 @@ TEST_CASE("BiCGSTAB and conjugate gradients find the same solution")
     physics::KrylovReport report;
     const physics::KrylovOptions options{.relative = 1e-11, .most_iterations = 500, .singular = true};
     physics::drive(
-        physics::bicgstab(serial, solver.workspace(), options, right, y, report),
-        [&](auto in, auto out) { solver.apply(serial, in, out); }, [&](auto in, auto out) { solver.precondition(serial, in, out); });
+        physics::bicgstab(serial, solver.workspace(), options, right, y, report), [&](auto in, auto out) { solver.apply(serial, in, out); },
+        [&](auto in, auto out) { solver.precondition(serial, in, out); });
     // Condition number some 1e4, residuals 1e-11.
     CHECK(difference_up_to_a_constant(test::rows(p, solver.layout(), y), test::rows(p, solver.layout(), x)) < 1e-6);
 }

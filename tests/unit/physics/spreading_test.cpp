@@ -39,7 +39,8 @@ TEST_CASE("on skewed cells, too, the filter spreads a filled cell over the mean 
     faces.allocate();
     for (core::LocalBlock b = 0; b < mesh.own_count(); ++b) {
         physics::spreading(mesh.geometry(b), faces.on(b));
-        core::for_each_cell(mesh.own_cells()[std::size_t(b)], [&](int i, int j, int k) { volume.on(b)(i, j, k) = mesh.geometry(b).volume(i, j, k); });
+        core::for_each_cell(mesh.own_cells()[std::size_t(b)],
+                            [&](int i, int j, int k) { volume.on(b)(i, j, k) = mesh.geometry(b).volume(i, j, k); });
     }
     const core::SerialTeam team;
     physics::Filter filter(links.topology, {.bandwidth = bandwidth});

@@ -36,11 +36,13 @@ TEST_CASE("where viscosity grows along a direction, the transposed stress is its
             const Vec3 centre = core::face_shape(core::face_corners(mesh.vertices(0), axis, {i, j, k})).centre;
             ratio.on(0).along(axis)(i, j, k) = 5 + growth.dot(centre);
         });
-    physics::add_transposed_stress({geometry, walls[0], viscosity, {gradients[0].on(0), gradients[1].on(0), gradients[2].on(0)}, ratio.on(0)}, 2.0,
-                                   scratch.on(0), out.on(0));
+    physics::add_transposed_stress(
+        {geometry, walls[0], viscosity, {gradients[0].on(0), gradients[1].on(0), gradients[2].on(0)}, ratio.on(0)}, 2.0, scratch.on(0),
+        out.on(0));
     double worst = 0;
     core::for_each({1, 1, 1}, {4, 3, 5}, [&](int i, int j, int k) { // boundaries have none
-        for (int c = 0; c < 3; ++c) worst = std::max(worst, std::abs(out.on(0).component(c)(i, j, k) - 2.0 * viscosity * growth.dot(slope.col(c))));
+        for (int c = 0; c < 3; ++c)
+            worst = std::max(worst, std::abs(out.on(0).component(c)(i, j, k) - 2.0 * viscosity * growth.dot(slope.col(c))));
     });
     CHECK(worst < 1e-14);
 }

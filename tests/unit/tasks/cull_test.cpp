@@ -76,7 +76,10 @@ TEST_CASE("an effect is kept when it is due, and keeps what it reads")
     auto a = field("a"), b = field("b");
     StageGraph graph(Layout{{64}, 1}, core::Communicator::self());
     graph.each_block("colour", copy, reads(a), writes(b));
-    graph.whole("picture", [](Lane&, const core::ScalarField&) {}, reads(b)).effect("pictures");
+    graph
+        .whole(
+            "picture", [](Lane&, const core::ScalarField&) {}, reads(b))
+        .effect("pictures");
     CHECK(kept(graph.compile()).empty());
     CHECK(kept(graph.compile({"pictures"})) == Names{"colour", "picture"});
 }
@@ -91,7 +94,8 @@ TEST_CASE("a halo is filled once for all readers, as wide as the widest, and aga
     graph.boundary(u, "walls of u", [](LocalBlock, core::View<double>) {});
     graph.each_block("narrow", copy, reads(halo(u, 1)), writes(v));
     graph.each_block("wide", copy, reads(halo(u, 2)), writes(w));
-    graph.each_block("change", [](LocalBlock, core::View<double>) {}, updates(u));
+    graph.each_block(
+        "change", [](LocalBlock, core::View<double>) {}, updates(u));
     graph.each_block("again", copy, reads(halo(u, 1)), writes(v));
     graph.sink(v);
     graph.sink(w);
@@ -119,7 +123,7 @@ TEST_CASE("the plan says why, in the same words every time")
                         "  keep         1728 B  u\n" // 6 x 6 x 6 doubles
                         "  keep         1728 B  v\n"
                         "  skip            0 B  w\n"
-                                      "memory of fields on this rank: 3456 B, 54 B per cell; 27 carried to the next step, "
+                        "memory of fields on this rank: 3456 B, 54 B per cell; 27 carried to the next step, "
                         "at most 54 in use at once in the order of the text\n"
                         "longest path (2 tasks)\n"
                         "  advance > accept\n");

@@ -29,8 +29,7 @@ TEST_CASE("all executors give the same bits with any number of threads and in an
             CAPTURE(threads);
             CHECK(state_after_steps(problem, plan, kind, threads) == expected);
         }
-    for (int seed = 0; seed < 20; ++seed)
-        CHECK(state_after_steps(problem, plan, "shuffle:" + std::to_string(seed), 1) == expected);
+    for (int seed = 0; seed < 20; ++seed) CHECK(state_after_steps(problem, plan, "shuffle:" + std::to_string(seed), 1) == expected);
 }
 
 TEST_CASE("an undeclared read is caught by a shuffled order")
@@ -39,9 +38,12 @@ TEST_CASE("an undeclared read is caught by a shuffled order")
     core::ScalarField a({"a", "-", 0, false}, blocks), b({"b", "-", 0, false}, blocks);
     Value<double> steps("steps", 0.0);
     StageGraph graph(Layout{{4, 4}, 1}, core::Communicator::self());
-    graph.whole("count", [](Lane&, double& n) { n += 1.0; }, updates(steps));
-    graph.each_block("set a", [](int block, double n, core::View<double> v) { v(0, 0, 0) = n + block; }, reads(steps), writes(a));
-    graph.each_block("set b", [&a](int block, core::View<double> v) { v(0, 0, 0) = a.on(block)(0, 0, 0); }, writes(b));
+    graph.whole(
+        "count", [](Lane&, double& n) { n += 1.0; }, updates(steps));
+    graph.each_block(
+        "set a", [](int block, double n, core::View<double> v) { v(0, 0, 0) = n + block; }, reads(steps), writes(a));
+    graph.each_block(
+        "set b", [&a](int block, core::View<double> v) { v(0, 0, 0) = a.on(block)(0, 0, 0); }, writes(b));
     graph.sink(a);
     graph.sink(b);
     const Plan plan = graph.compile();

@@ -19,16 +19,19 @@ TEST_CASE("a failure stops what follows, names stage, block and step, and leaves
             if (is_broken && block == 1) throw core::NumericsError("division by zero");
         },
         reads(broken), updates(a));
-    graph.whole("loop", [](Lane& lane, core::ScalarField&) -> Job { co_await lane.agree(); }, updates(a));
-    graph.whole("count", [](Lane&, const core::ScalarField&, int& n) { ++n; }, reads(a), updates(later)).effect();
+    graph.whole(
+        "loop", [](Lane& lane, core::ScalarField&) -> Job { co_await lane.agree(); }, updates(a));
+    graph
+        .whole(
+            "count", [](Lane&, const core::ScalarField&, int& n) { ++n; }, reads(a), updates(later))
+        .effect();
     const Plan plan = graph.compile();
     for (const std::string kind : {"serial", "shuffle:3", "openmp", "tbb"}) {
         CAPTURE(kind);
         const auto executor = make_executor({kind, 2, nullptr}, plan);
         broken.get() = true;
         later.get() = 0;
-        CHECK_THROWS_WITH_AS(executor->run_step(7),
-                             "step 7, rank 0: stage 'divide' failed on its block 1: division by zero", StepFailure);
+        CHECK_THROWS_WITH_AS(executor->run_step(7), "step 7, rank 0: stage 'divide' failed on its block 1: division by zero", StepFailure);
         CHECK(later.get() == 0);
         broken.get() = false;
         for (int step = 8; step < 11; ++step) executor->run_step(step);

@@ -74,7 +74,7 @@ TEST_CASE("a chunk that fails is reported when the job ends; later loops do noth
         co_await lane.agree();
         ++later;
     };
-    CHECK_THROWS_WITH_AS(run(core::Communicator::self(), team, job),
-                         "step 0, rank 0: stage 'job' failed: overflow in a chunk", StepFailure);
+    CHECK_THROWS_WITH_AS(run(core::Communicator::self(), team, job), "step 0, rank 0: stage 'job' failed: overflow in a chunk",
+                         StepFailure);
     CHECK(later == 0);
 }

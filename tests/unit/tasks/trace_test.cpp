@@ -25,8 +25,10 @@ private:
     void declare(const std::string& label, Value<int>& value)
     {
         const auto lane = graph_.lane(label);
-        graph_.whole(label + " first", [](Lane&, int& n) { ++n; }, updates(value));
-        graph_.whole(label + " second", [](Lane&, int& n) { ++n; }, updates(value));
+        graph_.whole(
+            label + " first", [](Lane&, int& n) { ++n; }, updates(value));
+        graph_.whole(
+            label + " second", [](Lane&, int& n) { ++n; }, updates(value));
         graph_.sink(value);
     }
     Value<int> fluid_{"fluid", 0}, particles_{"particles", 0};
@@ -52,9 +54,9 @@ TEST_CASE("the digest of a trace made by hand has the hand-computed sums")
     CHECK(digest.work == 6.5);
     CHECK(digest.lanes.at("fluid") == 4.0);
     CHECK(digest.lanes.at("particles") == 2.5);
-    CHECK(digest.longest == 4.0);  // fluid: 1 + 1 + 2
-    CHECK(digest.overlap == 1.5);  // particles work while the fluid waits
-    CHECK(digest.exposed == 1.5);  // 1 to 1.5 and 3 to 4
+    CHECK(digest.longest == 4.0); // fluid: 1 + 1 + 2
+    CHECK(digest.overlap == 1.5); // particles work while the fluid waits
+    CHECK(digest.exposed == 1.5); // 1 to 1.5 and 3 to 4
     CHECK(digest.imbalance == 0.0);
 }
 

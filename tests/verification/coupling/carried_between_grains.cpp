@@ -82,7 +82,8 @@ TEST_CASE("grains that fall through a dyed layer leave its amount and its range"
     const double apart = largest(world, [&](core::LocalBlock b, int i, int j, int k) {
         return std::abs(fields.share.on(b)(i, j, k) - world.coupling()->fields().fraction.on(b)(i, j, k));
     });
-    const double densest = largest(world, [&](core::LocalBlock b, int i, int j, int k) { return 1 - world.coupling()->fields().fraction.on(b)(i, j, k); });
+    const double densest =
+        largest(world, [&](core::LocalBlock b, int i, int j, int k) { return 1 - world.coupling()->fields().fraction.on(b)(i, j, k); });
     MESSAGE("carried share and fluid fraction differ by ", apart, " where grains fill up to ", densest);
     CHECK(apart < 1e-6); // the tolerance of the pressure is 1e-8 of what flows through
     CHECK(densest > 0.05);
@@ -105,12 +106,14 @@ TEST_CASE("turbulence and scalars between grains have the bits of one rank on tw
         for (core::LocalBlock b = 0; b < mine.own_count(); ++b) {
             const core::LocalBlock other = all.local(mine.global(b));
             core::for_each_cell(mine.geometry(b).cells, [&](int i, int j, int k) {
-                const auto k_here = shared.world().turbulence()->k().on(b)(i, j, k), epsilon = shared.world().turbulence()->epsilon().on(b)(i, j, k);
+                const auto k_here = shared.world().turbulence()->k().on(b)(i, j, k),
+                           epsilon = shared.world().turbulence()->epsilon().on(b)(i, j, k);
                 different += k_here != alone.world().turbulence()->k().on(other)(i, j, k);
                 different += epsilon != alone.world().turbulence()->epsilon().on(other)(i, j, k);
                 sick += !(k_here > 0 && epsilon > 0);
                 for (std::size_t n = 0; n < 3; ++n)
-                    different += shared.world().scalars()->fields().values[n].on(b)(i, j, k) != alone.world().scalars()->fields().values[n].on(other)(i, j, k);
+                    different += shared.world().scalars()->fields().values[n].on(b)(i, j, k) !=
+                                 alone.world().scalars()->fields().values[n].on(other)(i, j, k);
                 for (int c = 0; c < 3; ++c)
                     different += shared.world().fluid()->state().velocity.on(b).component(c)(i, j, k) !=
                                  alone.world().fluid()->state().velocity.on(other).component(c)(i, j, k);

@@ -38,10 +38,11 @@ TEST_CASE("a bed comes to rest where naive lagging would amplify")
             for (int n = 0; n < 1000; ++n) column.step();
             std::printf("%-9s s %.2f A %.2f: rms velocity %.1e m/s after 1 s, closure %.0e\n", physics::name(mode), ratio,
                         physics::added_mass_amplification(0.4, ratio, scene.added_mass), column.rms_velocity(), column.closure());
-            // A thousandth of the velocity a grain gains in one step of free fall. `concurrent` takes grains for what contacts did to them a
-            // step ago: where added mass would amplify, a bed never quite rests, and that mode is not made.
+            // A thousandth of the velocity a grain gains in one step of free fall. `concurrent` takes grains for what contacts
+            // did to them a step ago: where added mass would amplify, a bed never quite rests, and that mode is not made.
             const double solid = 1.0 - scene.phi, loading = ratio * solid / scene.phi;
-            const bool made = holds(mode, {column.stiffness(), loading, physics::added_mass_amplification(scene.phi, ratio, scene.added_mass), solid});
+            const bool made =
+                holds(mode, {column.stiffness(), loading, physics::added_mass_amplification(scene.phi, ratio, scene.added_mass), solid});
             CHECK(column.rms_velocity() < (made ? 1e-3 : 1.0) * scene.gravity * scene.dt);
             CHECK(column.closure() < 1e-12);
         }
@@ -68,8 +69,8 @@ TEST_CASE("a bed of 50 um grains with stiff drag stays bounded from below to far
                     if (n >= 50) drop += column.drop_over_weight() / 50.0;
                 }
                 std::printf("%-9s %-5s %.1f u_mf b %.2g: fastest rms %.1e m/s, last %.1e, mean drop/weight %.3f, closure %.0e\n",
-                            physics::name(mode), air ? "air" : "water", lift, column.stiffness(), fastest, column.rms_velocity(),
-                            drop, column.closure());
+                            physics::name(mode), air ? "air" : "water", lift, column.stiffness(), fastest, column.rms_velocity(), drop,
+                            column.closure());
                 // The settling velocity of one grain bounds what drag lets a grain do: 2.2 mm/s in water, 0.09 m/s in air.
                 CHECK(fastest < (air ? 0.09 : 2.2e-3) + 10.0 * flow);
                 CHECK(column.closure() < 1e-12);

@@ -68,8 +68,8 @@ TEST_CASE("a sinking suspension does not grow over 1e4 steps")
             for (int n = 0; n < 1000; ++n) column.step();
             const double early = column.rms_velocity();
             for (int n = 0; n < 9000; ++n) column.step();
-            std::printf("%-9s s %.2f b %.2g: rms velocity %.6e after 1e3, %.6e after 1e4 steps, closure %.0e\n",
-                        physics::name(mode), ratio, column.stiffness(), early, column.rms_velocity(), column.closure());
+            std::printf("%-9s s %.2f b %.2g: rms velocity %.6e after 1e3, %.6e after 1e4 steps, closure %.0e\n", physics::name(mode), ratio,
+                        column.stiffness(), early, column.rms_velocity(), column.closure());
             // Hindered settling is steady; the grains' spacing may wander by a per mille.
             CHECK(std::abs(column.rms_velocity() / early - 1.0) < 0.01);
             CHECK(column.closure() < 1e-12); // round-off of 1e4 steps relative to the weight's impulse

@@ -20,8 +20,8 @@ void check_rest(CoupledRun& run, int steps, const char* name)
         run.step();
         if (n >= steps / 10) fastest = std::max(fastest, run.fluid_deviation());
         if (n % (steps / 10) == 0)
-            std::printf("%s, step %d: fluid %.1e, grains %.1e m/s, net force %.1e of the weight\n", name, n, run.fluid_deviation(), run.grain_deviation(),
-                        run.net_force_over_weight(weight));
+            std::printf("%s, step %d: fluid %.1e, grains %.1e m/s, net force %.1e of the weight\n", name, n, run.fluid_deviation(),
+                        run.grain_deviation(), run.net_force_over_weight(weight));
     }
     // Water at rest: the gates of the coupling's design.
     CHECK(fastest < 1e-5);

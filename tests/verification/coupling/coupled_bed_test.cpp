@@ -21,8 +21,9 @@ TEST_CASE("a settled bed in still water comes to rest, and all that moves it is 
         for (int n = 1; n <= 300; ++n) {
             run.step();
             if (n == 1 || n % 100 == 0)
-                std::printf("bed; %s, step %d: fluid %.1e, grains %.1e m/s, net force %.1e of the weight\n", run.world().mode_reason().c_str(), n,
-                            run.fluid_deviation(), run.grain_deviation(), run.net_force_over_weight(weight));
+                std::printf("bed; %s, step %d: fluid %.1e, grains %.1e m/s, net force %.1e of the weight\n",
+                            run.world().mode_reason().c_str(), n, run.fluid_deviation(), run.grain_deviation(),
+                            run.net_force_over_weight(weight));
         }
         // The velocities that naive lagging, which amplifies 1.3 times a step here, would reach: none. Contacts settle to round-off.
         CHECK(run.fluid_deviation() < 1e-6);
@@ -53,8 +54,8 @@ TEST_CASE("momentum and volume of a stirred suspension are accounted for in ever
             exchange = std::max(exchange, books.exchange_defect());
             volume = std::max(volume, std::abs((run.fluid_volume() + run.solid_volume()) / box.size.prod() - 1));
         }
-        std::printf("books; %s: exchange %.1e, momentum %.1e, volume %.1e; fluid %.2f m/s\n", run.world().mode_reason().c_str(), exchange, defect,
-                    volume, run.fluid_deviation());
+        std::printf("books; %s: exchange %.1e, momentum %.1e, volume %.1e; fluid %.2f m/s\n", run.world().mode_reason().c_str(), exchange,
+                    defect, volume, run.fluid_deviation());
         CHECK(run.world().mode_reason().ends_with("as the scene asks"));
         // Sums of a thousand terms in another order on the two sides.
         CHECK(exchange < 1e-12);
@@ -85,8 +86,9 @@ TEST_CASE("a bed of fine grains, whose drag is too stiff for one pass, is iterat
             fastest = std::max(fastest, run.grain_deviation());
         }
         const auto numbers = run.world().coupling()->stability(box.dt);
-        std::printf("fine bed, %s: b %.1f, fastest %.1e, at the end grains %.1e, fluid %.1e m/s; %s\n", mode == io::CouplingMode::automatic ? "auto" : "pipelined",
-                    numbers.stiffness, fastest, run.grain_deviation(), run.fluid_deviation(), warnings.empty() ? "no warning" : warnings[0].c_str());
+        std::printf("fine bed, %s: b %.1f, fastest %.1e, at the end grains %.1e, fluid %.1e m/s; %s\n",
+                    mode == io::CouplingMode::automatic ? "auto" : "pipelined", numbers.stiffness, fastest, run.grain_deviation(),
+                    run.fluid_deviation(), warnings.empty() ? "no warning" : warnings[0].c_str());
         CHECK(numbers.stiffness > 10);
         CHECK(warnings.size() == (mode == io::CouplingMode::automatic ? 1 : 0));
         // One grain alone settles at 2.2 mm/s; what is left at the end is a thousandth of what gravity gives in one step.
@@ -128,7 +130,8 @@ TEST_CASE("the filter leaves a bed as dense as counted")
             ++cells;
         });
         filtered /= cells;
-        std::printf("filter %.1f d: bed %.1f mm high, packing counted %.4f, filtered %.4f, ratio %.3f\n", width, 1e3 * top, counted, filtered, filtered / counted);
+        std::printf("filter %.1f d: bed %.1f mm high, packing counted %.4f, filtered %.4f, ratio %.3f\n", width, 1e3 * top, counted,
+                    filtered, filtered / counted);
         if (width <= 2.0) CHECK(std::abs(filtered / counted - 1) < 0.05); // the gate of NUMERICS B3
     }
 }

@@ -58,7 +58,8 @@ TEST_CASE("drive, weight, walls, advection and what is owed explain all change o
                 largest[n] = std::max(largest[n], (books.impulses().*line.impulse).norm());
             }
         }
-        std::printf("%s: unexplained %.1e, exchange %.1e, couples %.1e N m s; largest impulses:", coupling.c_str(), defect, exchange, couple);
+        std::printf("%s: unexplained %.1e, exchange %.1e, couples %.1e N m s; largest impulses:", coupling.c_str(), defect, exchange,
+                    couple);
         for (std::size_t n = 0; n < largest.size(); ++n) std::printf(" %s %.1e", io::MomentumImpulses::outer_lines()[n].name, largest[n]);
         std::printf(" N s\n");
         // What is left is the solver's share of the viscous change, 1e-8 of it, and rounding.

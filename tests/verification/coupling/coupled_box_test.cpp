@@ -41,7 +41,8 @@ TEST_CASE("grains that move with a uniform flow feel nothing and change nothing"
         CoupledRun run(box, 100);
         run.start(u, u);
         for (int n = 1; n <= 50; ++n) run.step();
-        std::printf("uniform flow, %s: fluid %.1e, grains %.1e m/s\n", run.world().mode_reason().c_str(), run.fluid_deviation(u), run.grain_deviation(u));
+        std::printf("uniform flow, %s: fluid %.1e, grains %.1e m/s\n", run.world().mode_reason().c_str(), run.fluid_deviation(u),
+                    run.grain_deviation(u));
         // Round-off of 0.4 m/s times a thousand operations a step.
         CHECK(run.fluid_deviation(u) < 1e-12);
         CHECK(run.grain_deviation(u) < 1e-12);
@@ -56,8 +57,8 @@ TEST_CASE("a suspension that starts to settle in a closed box accelerates as the
         io::CouplingMode mode;
     };
     using enum io::CouplingMode;
-    for (const Case& c : {Case{2.0, 0.4, true, pipelined}, Case{2.65, 0.4, true, pipelined}, Case{1.1, 0.6, true, pipelined}, Case{1.5, 0.9, true, pipelined},
-                          Case{2.0, 0.4, false, pipelined}, Case{2.0, 0.4, true, iterated}}) {
+    for (const Case& c : {Case{2.0, 0.4, true, pipelined}, Case{2.65, 0.4, true, pipelined}, Case{1.1, 0.6, true, pipelined},
+                          Case{1.5, 0.9, true, pipelined}, Case{2.0, 0.4, false, pipelined}, Case{2.0, 0.4, true, iterated}}) {
         const double d = 2e-3, solid = 1 - c.phi, edge = std::cbrt(2 * volume_of(d) / solid), clear = 1.02 * d / 2;
         const core::Index3 count{int(std::lround(14e-3 / edge)), int(std::lround(34e-3 / edge)), int(std::lround(14e-3 / edge))};
         CoupledBox box;
@@ -90,7 +91,8 @@ TEST_CASE("a suspension that starts to settle in a closed box accelerates as the
         for (int n = 0; n < 10; ++n) run.step();
         const double acceleration = (inside() - v10) / (run.world().time() - t10), cm = c.added_mass ? 0.5 : 0.0;
         const double expected = -(c.ratio - 1) * 9.81 / (c.ratio + solid / c.phi + cm * solid / (c.phi * c.phi) + cm / c.phi);
-        std::printf("start-up s %.2f phi %.1f C_m %.1f: %.5f, exact %.5f m/s2, ratio %.4f\n", c.ratio, c.phi, cm, acceleration, expected, acceleration / expected);
+        std::printf("start-up s %.2f phi %.1f C_m %.1f: %.5f, exact %.5f m/s2, ratio %.4f\n", c.ratio, c.phi, cm, acceleration, expected,
+                    acceleration / expected);
         CHECK(std::abs(acceleration / expected - 1) < 0.02); // the gate of NUMERICS C5.6
     }
 }
@@ -113,12 +115,14 @@ TEST_CASE("a bed that cannot move lets through what Ergun's law says")
         run.start();
         for (int n = 0; n < 200; ++n) run.step();
         const double solid = 432 * volume_of(d) / box.size.prod(), phi = 1 - solid, mu = 1e-3, rho = 1000;
-        const double viscous = 150 * solid * solid * mu / (std::pow(phi, 3) * d * d), inertial = 1.75 * solid * rho / (std::pow(phi, 3) * d);
+        const double viscous = 150 * solid * solid * mu / (std::pow(phi, 3) * d * d),
+                     inertial = 1.75 * solid * rho / (std::pow(phi, 3) * d);
         const double expected = 2 * gradient / (viscous + std::sqrt(viscous * viscous + 4 * inertial * gradient));
         const double superficial = run.integral([&](core::LocalBlock b, int i, int j, int k) {
             return run.world().coupling()->fields().fraction.on(b)(i, j, k) * run.world().fluid()->state().velocity.on(b).x(i, j, k);
         }) / box.size.prod();
-        std::printf("Ergun %.0f Pa/m, phi %.3f: U %.6f, exact %.6f, ratio %.5f\n", gradient, phi, superficial, expected, superficial / expected);
+        std::printf("Ergun %.0f Pa/m, phi %.3f: U %.6f, exact %.6f, ratio %.5f\n", gradient, phi, superficial, expected,
+                    superficial / expected);
         CHECK(std::abs(superficial / expected - 1) < 0.02); // the lattice is not quite uniform after the filter
     }
 }
@@ -175,9 +179,12 @@ TEST_CASE("one sphere settles as its equation of motion says")
                 auto& state = run.world().fluid()->state();
                 auto& f = run.world().coupling()->fields();
                 for (auto* field : {&state.velocity, &state.velocity_before, &f.acceleration})
-                    for (int c = 0; c < 3; ++c) core::for_each_cell(run.world().mesh().geometry(0).cells, [&](int i, int j, int k) { field->on(0).component(c)(i, j, k) = 0; });
+                    for (int c = 0; c < 3; ++c)
+                        core::for_each_cell(run.world().mesh().geometry(0).cells,
+                                            [&](int i, int j, int k) { field->on(0).component(c)(i, j, k) = 0; });
                 core::for_each_cell(run.world().mesh().geometry(0).cells, [&](int i, int j, int k) { state.pressure.on(0)(i, j, k) = 0; });
-                tasks::run(run.world().ranks(), core::SerialTeam(), [&](tasks::Lane& lane) { return run.world().coupling()->initialise(lane); });
+                tasks::run(run.world().ranks(), core::SerialTeam(),
+                           [&](tasks::Lane& lane) { return run.world().coupling()->initialise(lane); });
                 core::for_each_cell(run.world().mesh().geometry(0).cells, [&](int i, int j, int k) { f.fraction.on(0)(i, j, k) = 1; });
                 for (int a = 0; a < 3; ++a) run.grains().columns[std::size_t(run.world().coupling()->exchange().columns().owed + a)][0] = 0;
             }
@@ -188,7 +195,9 @@ TEST_CASE("one sphere settles as its equation of motion says")
             }
             const double error = -run.grains().velocity_of(0).y() / v - 1;
             if (n >= 10) worst = std::max(worst, std::abs(error));
-            if (n == 10 || n == 50 || n == 150) std::printf("one sphere, %s: t %.3f v %.5f exact %.5f, off by %.2f %%\n", held ? "fluid held" : "free", run.world().time(), -run.grains().velocity_of(0).y(), v, 100 * error);
+            if (n == 10 || n == 50 || n == 150)
+                std::printf("one sphere, %s: t %.3f v %.5f exact %.5f, off by %.2f %%\n", held ? "fluid held" : "free", run.world().time(),
+                            -run.grains().velocity_of(0).y(), v, 100 * error);
         }
         // Held: the drag coefficient is frozen for a step of 1 ms. Free: the fluid that the sphere drags along with it.
         CHECK(worst < (held ? 0.01 : 0.10));
@@ -207,9 +216,12 @@ TEST_CASE("grains carry their share of the viscous stress: a suspension flows be
     CoupledRun run(box, 60);
     run.start();
     for (int n = 0; n < 400; ++n) run.step();
-    const double mean = run.integral([&](core::LocalBlock b, int i, int j, int k) { return run.world().fluid()->state().velocity.on(b).x(i, j, k); }) / box.size.prod();
+    const double mean = run.integral([&](core::LocalBlock b, int i, int j, int k) {
+        return run.world().fluid()->state().velocity.on(b).x(i, j, k);
+    }) / box.size.prod();
     const double expected = 0.01 * 64e-6 / (12 * box.viscosity);
-    std::printf("viscous suspension C %.3f: mean %.4e exact %.4e ratio %.4f\n", 60 * volume_of(2e-3) / box.size.prod(), mean, expected, mean / expected);
+    std::printf("viscous suspension C %.3f: mean %.4e exact %.4e ratio %.4f\n", 60 * volume_of(2e-3) / box.size.prod(), mean, expected,
+                mean / expected);
     // Eight cells across and an uneven random suspension; without the grains' share it is C / (1 - C) = 14 % too fast.
     CHECK(std::abs(mean / expected - 1) < 0.04);
 }

@@ -59,6 +59,6 @@ TEST_CASE("a grain in steady flow between plates feels the pressure's gradient a
         // exp(-9) = 1e-4 is left of the start.
         CHECK(std::abs(told(run)) < 5e-4 * drive);
         CHECK(pressure == test::relative(volume * gradient).epsilon(1e-9)); // round-off
-        CHECK(stress == test::relative(-volume * gradient).epsilon(1e-3)); // which balances it
+        CHECK(stress == test::relative(-volume * gradient).epsilon(1e-3));  // which balances it
     }
 }

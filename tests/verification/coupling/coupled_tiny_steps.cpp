@@ -67,9 +67,9 @@ TEST_CASE("going on with steps of 1e-9 s changes nothing and shakes no pressure"
         std::array<int, 3> cells;
         int count;
     };
-    for (const Case& c : {Case{"one dimension", {6e-3, 24e-3, 6e-3}, {1, 12, 1}, 45},
-                          Case{"two dimensions", {16e-3, 24e-3, 6e-3}, {8, 12, 1}, 100},
-                          Case{"three dimensions", {16e-3, 24e-3, 16e-3}, {8, 12, 8}, 250}}) {
+    for (const Case& c :
+         {Case{"one dimension", {6e-3, 24e-3, 6e-3}, {1, 12, 1}, 45}, Case{"two dimensions", {16e-3, 24e-3, 6e-3}, {8, 12, 1}, 100},
+          Case{"three dimensions", {16e-3, 24e-3, 16e-3}, {8, 12, 8}, 250}}) {
         CoupledBox box;
         box.size = c.size;
         box.cells = c.cells;

@@ -35,7 +35,8 @@ TEST_CASE("grains and fluid on two ranks are those of one rank, bit for bit")
         }
         const core::Mesh &mine = shared.world().mesh(), &all = alone.world().mesh();
         for (core::LocalBlock b = 0; b < mine.own_count(); ++b) {
-            const auto u = shared.world().fluid()->state().velocity.on(b), v = alone.world().fluid()->state().velocity.on(all.local(mine.global(b)));
+            const auto u = shared.world().fluid()->state().velocity.on(b),
+                       v = alone.world().fluid()->state().velocity.on(all.local(mine.global(b)));
             core::for_each_cell(mine.geometry(b).cells, [&](int i, int j, int k) {
                 for (int c = 0; c < 3; ++c) different += u.component(c)(i, j, k) != v.component(c)(i, j, k);
             });

@@ -66,7 +66,7 @@ TEST_CASE("a swaying bed is hardly fed by the delay of the fluid's acceleration,
     const double held = worst([](double now, double told) { return physics::told_acceleration(now, told, 1.0); });
     std::printf("growth of a sway in each step, over a / (m + a): told at once %.3f, when held %.3f\n", free, held);
     // Linear theory with the fluid's part r = 0.43: 2 r times the largest of -Im G sin^2(angle / 2) / angle, 0.93 and 0.066.
-    CHECK(free > 0.4);  // the test of the test; the sway is not small against the step there
+    CHECK(free > 0.4); // the test of the test; the sway is not small against the step there
     CHECK(held < 0.07);
 }
 
@@ -128,7 +128,8 @@ TEST_CASE("a bed on springs that are soft against drag sways less and less with 
                         double& most = holds(mode, numbers) ? worst_held : worst_refused;
                         most = std::max(most, grows);
                     }
-    std::printf("growth of a sway in each step, over a / (m + a): %.4f where it is taken for calm, %.4f where refused\n", worst_held, worst_refused);
+    std::printf("growth of a sway in each step, over a / (m + a): %.4f where it is taken for calm, %.4f where refused\n", worst_held,
+                worst_refused);
     CHECK(worst_held < 0.035);  // what held grains are told late of the fluid's acceleration: half of the above, for that is energy
     CHECK(worst_refused > 0.1); // the test of the test
 }

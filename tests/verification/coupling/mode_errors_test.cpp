@@ -114,7 +114,8 @@ TEST_CASE("every mode that is not refused is bounded, and its error falls with t
                 const Curve curve = curve_of(c, mode, dt);
                 errors.push_back(error_of(curve, exact));
                 line += core::text(" ", std::setprecision(2), errors.back(), " |");
-                INFO(std::string(name(c.contact)), " M ", c.loading, " K/m ", c.drag_rate, " ", std::string(physics::name(mode)), " dt ", dt);
+                INFO(std::string(name(c.contact)), " M ", c.loading, " K/m ", c.drag_rate, " ", std::string(physics::name(mode)), " dt ",
+                     dt);
                 CHECK(curve.closure < 1e-12); // round-off of some thousand additions, relative to all momentum moved
                 // The fluid without grains reaches 1 m/s. Drag and friction only take, but what they shift in phase may start from
                 // rest 5 % faster.

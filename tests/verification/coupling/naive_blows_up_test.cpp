@@ -21,8 +21,8 @@ double naive_fastest(const CellScene& scene, double phi, int steps)
     const double drag = scene.stiffness * solid;
     double u = 0.0, v = 0.0, force = 0.0, acceleration = 0.0, fastest = 0.0;
     for (int n = 0; n < steps && fastest < 1e3; ++n) {
-        const double push = solid * v + dt * c * (force - (scene.density_ratio - 1.0) * scene.gravity) + drag * u
-                          + added * (v + dt * acceleration);
+        const double push =
+            solid * v + dt * c * (force - (scene.density_ratio - 1.0) * scene.gravity) + drag * u + added * (v + dt * acceleration);
         const double v_new = push / (solid + drag + added);
         const double u_new = -c / phi * v_new;
         const double change = (u_new - u) / dt;

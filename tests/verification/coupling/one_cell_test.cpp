@@ -116,8 +116,8 @@ TEST_CASE("every mode that is not refused is bounded and closes momentum for all
                 }
                 std::printf("%-10s %-13s %-10s runs %d refused %d (bounded all the same %d) unbounded %d from b = %g; "
                             "fastest %.2f of the limit, closure %.0e\n",
-                            motion == Motion::confined ? "confined" : "transverse", name(contact), physics::name(mode), total,
-                            refused, refused_bounded, unbounded, first_b, fastest, closure);
+                            motion == Motion::confined ? "confined" : "transverse", name(contact), physics::name(mode), total, refused,
+                            refused_bounded, unbounded, first_b, fastest, closure);
                 CHECK(unbounded == 0);
                 // Round-off of some 1e4 additions, relative to all momentum moved.
                 CHECK(closure < 1e-12);
@@ -143,7 +143,8 @@ TEST_CASE("a locked bed carries its pressure drop within three steps of a flow s
                 cell.step();
                 if (std::abs(cell.force() / exact - 1.0) > 0.01) late = n;
             }
-            std::printf("locked, flow switched on: %-9s b %g  pressure drop within 1 %% after %d steps\n", physics::name(mode), b, late + 1);
+            std::printf("locked, flow switched on: %-9s b %g  pressure drop within 1 %% after %d steps\n", physics::name(mode), b,
+                        late + 1);
             // NUMERICS D 3. `auto` iterates from b = 5 on. In one pass, and where b is small (then the projection must take a
             // held grain for a free one, or it is unstable), each pass closes a share of the gap.
             const bool stiff = mode == Mode::iterated && b >= 1.0;

@@ -43,8 +43,8 @@ TEST_CASE("a time step far below the sub-step of contacts is made as it is, with
         for (int n = 0; n < 20; ++n) run.step();
         // From rest drag is a millionth of the weight after so short a time: half of the fluid's density is added mass at s = 2.
         const double fall = wet ? 9.81 * 1.0 / 2.5 : 9.81;
-        std::printf("%s: dt %.3g s, time %.6g of %.6g s, speed %.6f of g t\n", wet ? "in water" : "dry", run.world().clock().dt, run.world().time(), 20 * dt,
-                    -run.grains().velocity_of(0).y() / (fall * 20 * dt));
+        std::printf("%s: dt %.3g s, time %.6g of %.6g s, speed %.6f of g t\n", wet ? "in water" : "dry", run.world().clock().dt,
+                    run.world().time(), 20 * dt, -run.grains().velocity_of(0).y() / (fall * 20 * dt));
         CHECK(run.world().sub_steps() == 1);
         CHECK(run.world().time() == test::relative(20 * dt).epsilon(1e-12));
         // The fluid that the grain moves about itself as the filter shows it: C_m C of 3 %.

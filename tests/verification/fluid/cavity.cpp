@@ -13,16 +13,24 @@ using core::Vec3;
 struct Reference {
     double at, velocity;
 };
-constexpr std::array<Reference, 8> along_lid{{{0.0547, -0.03723}, {0.1719, -0.10174}, {0.2813, -0.15767}, {0.4531, -0.21397},
-                                              {0.6172, -0.13880}, {0.7344, 0.00418}, {0.8516, 0.23654}, {0.9531, 0.69101}}};
-constexpr std::array<Reference, 7> down{{{0.0625, 0.09480}, {0.1563, 0.16482}, {0.2344, 0.17955}, {0.5, 0.05754}, {0.8047, -0.25353},
-                                         {0.9063, -0.17707}, {0.9531, -0.09339}}};
+constexpr std::array<Reference, 8> along_lid{{{0.0547, -0.03723},
+                                              {0.1719, -0.10174},
+                                              {0.2813, -0.15767},
+                                              {0.4531, -0.21397},
+                                              {0.6172, -0.13880},
+                                              {0.7344, 0.00418},
+                                              {0.8516, 0.23654},
+                                              {0.9531, 0.69101}}};
+constexpr std::array<Reference, 7> down{
+    {{0.0625, 0.09480}, {0.1563, 0.16482}, {0.2344, 0.17955}, {0.5, 0.05754}, {0.8047, -0.25353}, {0.9063, -0.17707}, {0.9531, -0.09339}}};
 
 /// The velocity in the middle between two columns (or rows) of cells, at a place along them: cubic through four cells.
 double on_middle_line(const test::FluidRun& run, int cells, int component, double place)
 {
     const auto at = [&](int n) {
-        const auto value = [&](int beside) { return component == 0 ? run.velocity(0, beside, n, 0).x() : run.velocity(0, n, beside, 0).y(); };
+        const auto value = [&](int beside) {
+            return component == 0 ? run.velocity(0, beside, n, 0).x() : run.velocity(0, n, beside, 0).y();
+        };
         return 0.5 * (value(cells / 2 - 1) + value(cells / 2));
     };
     const double s = place * cells - 0.5;

@@ -29,10 +29,7 @@ core::MultiBlock wavy_box(int n, int thick)
 }
 
 /// Two plates at y = 0 and 1.
-core::MultiBlock channel(int n)
-{
-    return core::make_box({{0, 0, 0}, {1, 1, 1}, {2, n, 2}, {1, 1, 1}, {true, false, true}});
-}
+core::MultiBlock channel(int n) { return core::make_box({{0, 0, 0}, {1, 1, 1}, {2, n, 2}, {1, 1, 1}, {true, false, true}}); }
 
 } // namespace
 
@@ -81,9 +78,8 @@ TEST_CASE("a box one cell thick gives the same as a thick one")
         run->start(vortices, vortex_pressure);
         for (int n = 0; n < 10; ++n) run->step(0.1);
     }
-    const double difference = thick.largest([&](core::LocalBlock b, int i, int j, int k) {
-        return (thick.velocity(b, i, j, k) - thin.velocity(b, i, j, 0)).norm();
-    });
+    const double difference = thick.largest(
+        [&](core::LocalBlock b, int i, int j, int k) { return (thick.velocity(b, i, j, k) - thin.velocity(b, i, j, 0)).norm(); });
     // Both solve their pressure to 1e-11 of the throughput.
     CHECK(difference < 1e-9);
 }

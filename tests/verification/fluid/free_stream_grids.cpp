@@ -22,7 +22,8 @@ double displacement_rate(test::FluidRun& run)
     return largest;
 }
 
-/// Largest change of velocity after 20 steps in which the flow crosses up to 0.5 cells each; beside smaller cells its way is longer, all walls moving with it.
+/// Largest change of velocity after 20 steps in which the flow crosses up to 0.5 cells each; beside smaller cells its way is
+/// longer, all walls moving with it.
 double change(core::MultiBlock grid)
 {
     const Vec3 uniform(0.7, -0.4, 0.5);
@@ -64,7 +65,10 @@ core::MultiBlock wavy_box()
     return core::make_box(box, [](const Vec3& x) { return test::wavy(x, 0.3, 1); });
 }
 
-Vec3 vortices(const Vec3& x) { return {std::sin(x.x()) * std::cos(x.y()), -std::cos(x.x()) * std::sin(x.y()), 0.2 * std::sin(x.x() + x.y())}; }
+Vec3 vortices(const Vec3& x)
+{
+    return {std::sin(x.x()) * std::cos(x.y()), -std::cos(x.x()) * std::sin(x.y()), 0.2 * std::sin(x.x() + x.y())};
+}
 
 } // namespace
 
@@ -111,7 +115,8 @@ TEST_CASE("a flow does not depend on the order of the blocks or on how each of t
         // Turned twice: (i, j, k) -> (k, -i, -j) -> (-j, -k, i).
         return two.velocity(1, n.nj - 1 - j, n.nk - 1 - k, i);
     };
-    const double largest = one.largest([&](core::LocalBlock b, int i, int j, int k) { return (one.velocity(b, i, j, k) - there(b, i, j, k)).norm(); });
+    const double largest =
+        one.largest([&](core::LocalBlock b, int i, int j, int k) { return (one.velocity(b, i, j, k) - there(b, i, j, k)).norm(); });
     MESSAGE("largest difference " << largest);
     CHECK(largest < 1e-10);
 }

@@ -17,7 +17,8 @@ double energy_gained(double cells)
                                       [](const core::Vec3& x) { return x; }),
                        inviscid);
     run.start([](const core::Vec3& x) {
-        return core::Vec3(std::sin(x.x()) * std::cos(x.y()) * std::cos(x.z()), -std::cos(x.x()) * std::sin(x.y()) * std::cos(x.z()), 0.1 * std::sin(3 * x.y()));
+        return core::Vec3(std::sin(x.x()) * std::cos(x.y()) * std::cos(x.z()), -std::cos(x.x()) * std::sin(x.y()) * std::cos(x.z()),
+                          0.1 * std::sin(3 * x.y()));
     });
     const auto energy = [&] {
         return run.mean([&](core::LocalBlock b, int i, int j, int k) { return 0.5 * run.velocity(b, i, j, k).squaredNorm(); });

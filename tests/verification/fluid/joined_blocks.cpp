@@ -33,7 +33,10 @@ double change(core::MultiBlock grid, double viscosity)
     return run.largest([&](core::LocalBlock b, int i, int j, int k) { return (run.velocity(b, i, j, k) - uniform).norm(); });
 }
 
-Vec3 vortices(const Vec3& x) { return {std::sin(x.x()) * std::cos(x.y()), -std::cos(x.x()) * std::sin(x.y()), 0.2 * std::sin(x.x() + x.y())}; }
+Vec3 vortices(const Vec3& x)
+{
+    return {std::sin(x.x()) * std::cos(x.y()), -std::cos(x.x()) * std::sin(x.y()), 0.2 * std::sin(x.x() + x.y())};
+}
 
 } // namespace
 
@@ -66,7 +69,8 @@ TEST_CASE("what one block loses through an interface the other gains")
             }
     }
     const int iterations = run.fluid().pressure_system().report().iterations;
-    MESSAGE("mass defect over both interfaces " << std::abs(out[0] + out[1]) / through << ", " << iterations << " iterations for the pressure");
+    MESSAGE("mass defect over both interfaces " << std::abs(out[0] + out[1]) / through << ", " << iterations
+                                                << " iterations for the pressure");
     CHECK(std::abs(out[0] + out[1]) < 1e-12 * through);
     CHECK(iterations <= 20);
 }

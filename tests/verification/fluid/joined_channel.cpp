@@ -45,7 +45,8 @@ TEST_CASE("Poiseuille's flow passes an interface without matching points, to sec
     for (const auto& [left, right] : {std::pair(2, 3), std::pair(1, 2), std::pair(1, 4), std::pair(4, 1)}) {
         const int n = 8 / std::min(left, right);
         const double coarse = settled_error(n * left, n * right), fine = settled_error(2 * n * left, 2 * n * right);
-        MESSAGE(left << ":" << right << ": errors " << coarse << ", " << fine << ", order " << std::log2(coarse / fine) << "; matching " << matching);
+        MESSAGE(left << ":" << right << ": errors " << coarse << ", " << fine << ", order " << std::log2(coarse / fine) << "; matching "
+                     << matching);
         CHECK(std::log2(coarse / fine) > 1.8);
         CHECK(fine < 2 * matching); // with at least as many cells (NUMERICS D 27)
     }

@@ -15,7 +15,8 @@ constexpr double viscosity = 0.05;
 /// Its vorticity is the velocity itself, so that it decays as exp(-viscosity t) without changing its shape.
 Vec3 beltrami(const Vec3& x, double time)
 {
-    const Vec3 u(std::sin(x.z()) + 0.7 * std::cos(x.y()), 0.5 * std::sin(x.x()) + std::cos(x.z()), 0.7 * std::sin(x.y()) + 0.5 * std::cos(x.x()));
+    const Vec3 u(std::sin(x.z()) + 0.7 * std::cos(x.y()), 0.5 * std::sin(x.x()) + std::cos(x.z()),
+                 0.7 * std::sin(x.y()) + 0.5 * std::cos(x.x()));
     return std::exp(-viscosity * time) * u;
 }
 /// Of unit density.
@@ -46,8 +47,8 @@ Errors errors(int n, Ratio ratio)
     const Errors e{run.velocity_error([&](const Vec3& x) { return beltrami(x, run.time()); }),
                    run.pressure_error([&](const Vec3& x) { return pressure(x, run.time() - dt / 2); }),
                    run.fluid().pressure_system().report().iterations};
-    MESSAGE(ratio.per << ":" << ratio.along << ", " << n << " cells: velocity " << e.velocity << ", pressure " << e.pressure << ", iterations "
-                      << e.iterations);
+    MESSAGE(ratio.per << ":" << ratio.along << ", " << n << " cells: velocity " << e.velocity << ", pressure " << e.pressure
+                      << ", iterations " << e.iterations);
     return e;
 }
 

@@ -61,7 +61,8 @@ TEST_CASE("a uniform flow stays uniform in a pipe whose sections do not match")
         REQUIRE(run.mesh().topology().joints.interfaces.size() == 10);
         run.start([&](const Vec3&) { return uniform; });
         for (int n = 0; n < 20; ++n) run.step(0.3 / second);
-        const double change = run.largest([&](core::LocalBlock b, int i, int j, int k) { return (run.velocity(b, i, j, k) - uniform).norm(); });
+        const double change =
+            run.largest([&](core::LocalBlock b, int i, int j, int k) { return (run.velocity(b, i, j, k) - uniform).norm(); });
         CHECK_MESSAGE(change < 1e-12, first << " and " << second << " cells across");
         CHECK(run.divergence() < 1e-13);
     }

@@ -28,8 +28,7 @@ double source(int block, std::ptrdiff_t n, std::ptrdiff_t size)
 /// Set up inside the lane that solves, or before it.
 enum class SetUp { inside, outside };
 
-Solution solve(const test::ConductionProblem& p, const core::Communicator& communicator, physics::MultigridOptions options,
-               SetUp set_up)
+Solution solve(const test::ConductionProblem& p, const core::Communicator& communicator, physics::MultigridOptions options, SetUp set_up)
 {
     physics::SevenPointSolver solver(p.topology, options, communicator);
     const auto& layout = solver.layout();

@@ -41,7 +41,8 @@ physics::FluidParameters water(double nu = viscosity)
 
 double largest_difference(const test::FluidRun& run, const test::VectorFunction& expected)
 {
-    return run.largest([&](core::LocalBlock b, int i, int j, int k) { return (run.velocity(b, i, j, k) - expected(run.centre(b, i, j, k))).norm(); });
+    return run.largest(
+        [&](core::LocalBlock b, int i, int j, int k) { return (run.velocity(b, i, j, k) - expected(run.centre(b, i, j, k))).norm(); });
 }
 
 /// Error of Poiseuille's flow, over the mean speed, after it was made from rest by a parabolic inflow.
@@ -88,7 +89,8 @@ TEST_CASE("a difference of pressure between open ends drives what the same gradi
         run.step(0.01);
         periodic.step(0.01);
     }
-    const double difference = run.largest([&](core::LocalBlock b, int i, int j, int k) { return (run.velocity(b, i, j, k) - periodic.velocity(b, i, j, k)).norm(); });
+    const double difference = run.largest(
+        [&](core::LocalBlock b, int i, int j, int k) { return (run.velocity(b, i, j, k) - periodic.velocity(b, i, j, k)).norm(); });
     CHECK(difference < 1e-8 * mean_speed); // the tolerance of both solvers is 1e-11, and errors add up
 }
 
@@ -130,7 +132,8 @@ TEST_CASE("half a channel with a plane of symmetry flows as the lower half of th
         half.step(0.005);
     }
     // The lower blocks of the whole come first.
-    const double difference = half.largest([&](core::LocalBlock b, int i, int j, int k) { return (half.velocity(b, i, j, k) - whole.velocity(b, i, j, k)).norm(); });
+    const double difference = half.largest(
+        [&](core::LocalBlock b, int i, int j, int k) { return (half.velocity(b, i, j, k) - whole.velocity(b, i, j, k)).norm(); });
     const double fastest = half.largest([&](core::LocalBlock b, int i, int j, int k) { return half.velocity(b, i, j, k).norm(); });
     CHECK(difference < 1e-9 * fastest); // the tolerance of both solvers is 1e-11, and errors add up
 }
@@ -157,7 +160,9 @@ TEST_CASE("a flow that turns back through an outflow does not feed on itself")
     p.boundaries["x_low"] = {.kind = BoundaryKind::outflow};
     p.boundaries["x_high"] = {.kind = BoundaryKind::outflow};
     test::FluidRun run(channel(16), p);
-    run.start([](const Vec3& x) { return turned({0.05 * std::sin(300 * turned_back(x).y()), 0.02 * std::sin(200 * turned_back(x).x()), 0}); });
+    run.start([](const Vec3& x) {
+        return turned({0.05 * std::sin(300 * turned_back(x).y()), 0.02 * std::sin(200 * turned_back(x).x()), 0});
+    });
     // The drive alone gives at most A T / (2 pi) = 0.25 m/s about any start.
     double fastest = 0;
     for (int n = 0; n < 800; ++n) {

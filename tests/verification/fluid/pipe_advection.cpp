@@ -25,7 +25,9 @@ double wave_error(int axial_cells)
         for (core::LocalBlock b = 0; b < mesh.own_count(); ++b)
             core::for_each_cell(mesh.geometry(b).cells, [&](int i, int j, int k) { body(b, i, j, k); });
     };
-    const auto wave = [&](core::LocalBlock b, int i, int j, int k) { return std::sin(2 * std::numbers::pi * mesh.geometry(b).centre(i, j, k).x()); };
+    const auto wave = [&](core::LocalBlock b, int i, int j, int k) {
+        return std::sin(2 * std::numbers::pi * mesh.geometry(b).centre(i, j, k).x());
+    };
     each_cell([&](core::LocalBlock b, int i, int j, int k) {
         q.on(b).x(i, j, k) = wave(b, i, j, k);
         displacement.on(b).y(i, j, k) = 0.4; // the pipe runs along j

@@ -27,14 +27,19 @@ std::unique_ptr<test::FluidRun> developed(int across, double dt, double roughnes
     air.density = density;
     air.viscosity = viscosity;
     air.drive = physics::ConstantDrive{core::Vec3(4 * friction_speed * friction_speed / diameter, 0, 0)};
-    test::Carried carried{.turbulence = physics::TurbulenceParameters{physics::turbulence_of(mean_speed, 0.05, 0.07 * diameter), {}, roughness}};
-    auto run = std::make_unique<test::FluidRun>(pipe(across), air, tasks::ExecutorOptions{.kind = "serial"}, core::Communicator::world(), carried);
+    test::Carried carried{.turbulence =
+                              physics::TurbulenceParameters{physics::turbulence_of(mean_speed, 0.05, 0.07 * diameter), {}, roughness}};
+    auto run =
+        std::make_unique<test::FluidRun>(pipe(across), air, tasks::ExecutorOptions{.kind = "serial"}, core::Communicator::world(), carried);
     run->start([](const core::Vec3&) { return core::Vec3(mean_speed, 0, 0); });
     for (double t = 0; t < 12; t += dt) run->step(dt); // ten times what friction takes to stop the flow
     return run;
 }
 
-double mean_velocity(const test::FluidRun& run) { return run.mean([&](core::LocalBlock b, int i, int j, int k) { return run.velocity(b, i, j, k).x(); }); }
+double mean_velocity(const test::FluidRun& run)
+{
+    return run.mean([&](core::LocalBlock b, int i, int j, int k) { return run.velocity(b, i, j, k).x(); });
+}
 
 } // namespace
 
@@ -43,10 +48,12 @@ TEST_CASE("friction of a smooth pipe at Re = 41,727 agrees with the Superpipe to
     for (const int across : {16, 24, 32}) {
         const auto run = developed(across, 0.04);
         const double speed = mean_velocity(*run), friction = 8 * std::pow(friction_speed / speed, 2);
-        const double reach = run->largest([&](core::LocalBlock b, int i, int j, int k) { return run->centre(b, i, j, k).tail<2>().norm(); });
+        const double reach =
+            run->largest([&](core::LocalBlock b, int i, int j, int k) { return run->centre(b, i, j, k).tail<2>().norm(); });
         const double least = diameter / 2 - reach;
-        MESSAGE(across, " cells across, y+ of the first ", least * friction_speed / viscosity, ": mean speed ", speed, " m/s, friction ", friction, " of 0.021858, ",
-                100 * (friction / 0.021858 - 1), " %, fastest ", run->largest([&](core::LocalBlock b, int i, int j, int k) { return run->velocity(b, i, j, k).x(); }));
+        MESSAGE(across, " cells across, y+ of the first ", least * friction_speed / viscosity, ": mean speed ", speed, " m/s, friction ",
+                friction, " of 0.021858, ", 100 * (friction / 0.021858 - 1), " %, fastest ",
+                run->largest([&](core::LocalBlock b, int i, int j, int k) { return run->velocity(b, i, j, k).x(); }));
         CHECK(std::abs(friction / 0.021858 - 1) < 0.03);
     }
 }
@@ -55,8 +62,16 @@ TEST_CASE("the profile is the measured one to a twentieth, and k that of the log
 {
     const auto run = developed(32, 0.04);
     // y+ and u+ of the Superpipe.
-    constexpr std::array<std::array<double, 2>, 10> measured{{{33.2, 14.07}, {51.0, 14.91}, {79.1, 15.95}, {106.4, 16.67}, {166.6, 17.74},
-                                                              {261.7, 19.05}, {411.7, 20.59}, {614.0, 21.95}, {816.3, 23.03}, {1086, 23.65}}};
+    constexpr std::array<std::array<double, 2>, 10> measured{{{33.2, 14.07},
+                                                              {51.0, 14.91},
+                                                              {79.1, 15.95},
+                                                              {106.4, 16.67},
+                                                              {166.6, 17.74},
+                                                              {261.7, 19.05},
+                                                              {411.7, 20.59},
+                                                              {614.0, 21.95},
+                                                              {816.3, 23.03},
+                                                              {1086, 23.65}}};
     const auto distance = [&](core::LocalBlock b, int i, int j, int k) {
         return (diameter / 2 - run->centre(b, i, j, k).tail<2>().norm()) * friction_speed / viscosity;
     };

@@ -23,8 +23,11 @@ std::unique_ptr<test::FluidRun> channel_run(const tasks::ExecutorOptions& execut
     p.boundaries["x_high"] = {.kind = BoundaryKind::outflow};
     p.boundaries["y_high"] = {.velocity = {2 * speed, 0, 0}};
     const core::Box box{{0, 0, 0}, {length, height, height / 4}, {24, 12, 2}, {2, 2, 1}, {false, false, true}};
-    const auto bend = [](const Vec3& x) { return Vec3(x + 0.1 * height * std::sin(100 * x.x()) * Vec3(0, x.y() * (height - x.y()) * 4 / (height * height), 0)); };
-    const std::vector<physics::ScalarParameters> scalars{{"dye", diffusivity, 0.25, {{"x_low", 1.0}}}, {"salt", 0.0, 3.0, {{"x_low", 3.0}}}};
+    const auto bend = [](const Vec3& x) {
+        return Vec3(x + 0.1 * height * std::sin(100 * x.x()) * Vec3(0, x.y() * (height - x.y()) * 4 / (height * height), 0));
+    };
+    const std::vector<physics::ScalarParameters> scalars{{"dye", diffusivity, 0.25, {{"x_low", 1.0}}},
+                                                         {"salt", 0.0, 3.0, {{"x_low", 3.0}}}};
     auto run = std::make_unique<test::FluidRun>(core::make_box(box, bend), p, executor, ranks, test::Carried{.scalars = scalars});
     run->start([](const Vec3&) { return Vec3(speed, 0, 0); });
     return run;
@@ -33,8 +36,9 @@ std::unique_ptr<test::FluidRun> channel_run(const tasks::ExecutorOptions& execut
 double amount(test::FluidRun& run, std::size_t scalar)
 {
     auto& fields = run.scalars().fields();
-    return run.mean([&](core::LocalBlock b, int i, int j, int k) { return fields.share.on(b)(i, j, k) * fields.values[scalar].on(b)(i, j, k); }) *
-           run.mesh().total_volume();
+    return run.mean([&](core::LocalBlock b, int i, int j, int k) {
+        return fields.share.on(b)(i, j, k) * fields.values[scalar].on(b)(i, j, k);
+    }) * run.mesh().total_volume();
 }
 
 } // namespace
@@ -45,7 +49,8 @@ TEST_CASE("what enters is there, nothing leaves its range, and what is uniform s
     const double before = amount(*run, 0), flow = speed * height * height / 4, dt = 0.02;
     for (int n = 1; n <= 20; ++n) { // the fastest dye comes to four fifths of the length
         run->step(dt);
-        CHECK(std::abs(amount(*run, 0) - (before + flow * n * dt * (1.0 - 0.25))) < 1e-6 * before); // in and out balance to the tolerance of the pressure
+        CHECK(std::abs(amount(*run, 0) - (before + flow * n * dt * (1.0 - 0.25))) <
+              1e-6 * before); // in and out balance to the tolerance of the pressure
     }
     const auto& dye = run->scalars().fields().values;
     const auto outside = [&](std::size_t scalar, double low, double high) {

@@ -58,8 +58,7 @@ std::vector<Case> cases()
 {
     std::vector<Case> all;
     all.push_back({"vortices in two dimensions", wavy_box(24, 1, 0), water(0.02),
-                   [](const Vec3& x) { return Vec3(-std::cos(x.x()) * std::sin(x.y()), std::sin(x.x()) * std::cos(x.y()), 0); },
-                   0.05});
+                   [](const Vec3& x) { return Vec3(-std::cos(x.x()) * std::sin(x.y()), std::sin(x.x()) * std::cos(x.y()), 0); }, 0.05});
     all.push_back({"vortices in three dimensions", wavy_box(16, 16, 0.5), water(0.0),
                    [](const Vec3& x) {
                        return Vec3(std::cos(x.z()) * Vec3(std::cos(x.x()) * std::sin(x.y()), -std::sin(x.x()) * std::cos(x.y()), 0));

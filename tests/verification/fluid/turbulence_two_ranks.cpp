@@ -35,7 +35,8 @@ TEST_CASE("turbulence in fluid at rest decays by its power law, however long the
         run.start([](const Vec3&) { return Vec3(0, 0, 0); });
         for (int n = 0; n < 10; ++n) run.step(dt);
         const double left = std::pow(1 + 0.92 * 10 * dt * initial.epsilon / initial.k, -1 / 0.92) * initial.k;
-        const double worst = run.largest([&](core::LocalBlock b, int i, int j, int k) { return run.turbulence().k().on(b)(i, j, k) / left - 1; });
+        const double worst =
+            run.largest([&](core::LocalBlock b, int i, int j, int k) { return run.turbulence().k().on(b)(i, j, k) / left - 1; });
         CHECK(worst < 1e-10); // the solver leaves 1e-12 in each step
     }
 }
@@ -52,11 +53,13 @@ TEST_CASE("a turbulent flow reverses without its turbulence growing beyond bound
         const auto& k = run->turbulence().k();
         const auto& epsilon = run->turbulence().epsilon();
         const double sick = run->largest([&](core::LocalBlock b, int i, int j, int m) {
-            const bool sound = k.on(b)(i, j, m) > 0 && epsilon.on(b)(i, j, m) > 0 && std::isfinite(k.on(b)(i, j, m)) && std::isfinite(epsilon.on(b)(i, j, m));
+            const bool sound = k.on(b)(i, j, m) > 0 && epsilon.on(b)(i, j, m) > 0 && std::isfinite(k.on(b)(i, j, m)) &&
+                               std::isfinite(epsilon.on(b)(i, j, m));
             return sound ? 0.0 : 1.0;
         });
         CHECK(sick == 0.0);
-        most_turbulence = std::max(most_turbulence, run->largest([&](core::LocalBlock b, int i, int j, int m) { return k.on(b)(i, j, m); }));
+        most_turbulence =
+            std::max(most_turbulence, run->largest([&](core::LocalBlock b, int i, int j, int m) { return k.on(b)(i, j, m); }));
     }
     MESSAGE("mean speed from ", slowest, " to ", fastest, " m/s, largest k ", most_turbulence, " m2/s2");
     CHECK(slowest < 0);

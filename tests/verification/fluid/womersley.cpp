@@ -35,15 +35,9 @@ double profile_error(int across, double alpha, int steps)
 
 } // namespace
 
-TEST_CASE("24 cells across give the profile at alpha = 5 to 1.5 %")
-{
-    CHECK(profile_error(24, 5, 80) < 0.015);
-}
+TEST_CASE("24 cells across give the profile at alpha = 5 to 1.5 %") { CHECK(profile_error(24, 5, 80) < 0.015); }
 
-TEST_CASE("48 cells across give the profile at alpha = 10 to 1.5 %")
-{
-    CHECK(profile_error(48, 10, 120) < 0.015);
-}
+TEST_CASE("48 cells across give the profile at alpha = 10 to 1.5 %") { CHECK(profile_error(48, 10, 120) < 0.015); }
 
 TEST_CASE("the profile is second order in space")
 {

@@ -88,7 +88,7 @@ for scene in scenes:
     assert not validator.is_valid({**scene, "run": {"until": 1}})
     assert not validator.is_valid({**scene, "grid": {}})
 )");
-    const std::string command = "python3 " + (folder.path() / "compare.py").string() + " " + folder.path().string() + " " +
-                                source_root.string();
+    const std::string command =
+        "python3 " + (folder.path() / "compare.py").string() + " " + folder.path().string() + " " + source_root.string();
     CHECK(std::system(command.c_str()) == 0);
 }

@@ -40,10 +40,8 @@ TEST_CASE("results written by all ranks are those written by one")
         CHECK(!together.datasets().empty());
         for (const std::string& data : alone.datasets()) {
             INFO(name, " ", data);
-            if (alone.integers(data))
-                CHECK(together.read<std::int64_t>(data) == alone.read<std::int64_t>(data));
-            else
-                CHECK(together.read<double>(data) == alone.read<double>(data));
+            if (alone.integers(data)) CHECK(together.read<std::int64_t>(data) == alone.read<std::int64_t>(data));
+            else CHECK(together.read<double>(data) == alone.read<double>(data));
         }
     }
 }

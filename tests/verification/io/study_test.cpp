@@ -28,7 +28,8 @@ std::vector<io::StudyRun> runs_of(const io::StudyPlan& plan)
 TEST_CASE("oscillating pipe flow is second order in space and in time")
 {
     const TemporaryFolder folder;
-    const auto plan = io::read_study(study_in(folder, "error: womersley\nvary: { cells: [[12, 2], [24, 2]], steps_per_period: [10, 20, 40] }\n"));
+    const auto plan =
+        io::read_study(study_in(folder, "error: womersley\nvary: { cells: [[12, 2], [24, 2]], steps_per_period: [10, 20, 40] }\n"));
     REQUIRE(plan.cases.size() == 6);
     const auto runs = runs_of(plan);
     const auto report = io::report_of(plan, runs, core::Communicator::world());
@@ -43,8 +44,9 @@ TEST_CASE("oscillating pipe flow is second order in space and in time")
 TEST_CASE("without an exact solution the finest case is the reference, and errors fall towards it")
 {
     const TemporaryFolder folder;
-    const auto plan = io::read_study(study_in(folder, "error: self\nvary:\n  cells: [[8, 2]]\n  knobs:\n    - { name: until, set: [run.until=0.5 s] }\n"
-                                                      "    - { name: dt, set: [run.time_step=50 ms, run.time_step=25 ms, run.time_step=12.5 ms] }\n"));
+    const auto plan =
+        io::read_study(study_in(folder, "error: self\nvary:\n  cells: [[8, 2]]\n  knobs:\n    - { name: until, set: [run.until=0.5 s] }\n"
+                                        "    - { name: dt, set: [run.time_step=50 ms, run.time_step=25 ms, run.time_step=12.5 ms] }\n"));
     const auto runs = runs_of(plan);
     REQUIRE(runs.size() == 3);
     CHECK(runs[2].is_reference);

@@ -40,8 +40,11 @@ TEST_CASE("a ball bounces to the heights of its restitution")
 TEST_CASE("two stacked balls between walls move as their exact solution")
 {
     // matrix exponential of the linear system (set-up of Garg et al. 2012, DEM03); eight digits are printed
-    const double exact[][3] = {{1e-5, 0.44976154, 1.35047508}, {5e-5, 0.44447794, 1.36078192}, {2e-4, 0.42458163, 1.37309069},
-                               {5e-4, 0.43623747, 1.37913934}, {1e-3, 0.42712796, 1.38355313}};
+    const double exact[][3] = {{1e-5, 0.44976154, 1.35047508},
+                               {5e-5, 0.44447794, 1.36078192},
+                               {2e-4, 0.42458163, 1.37309069},
+                               {5e-4, 0.43623747, 1.37913934},
+                               {1e-3, 0.42712796, 1.38355313}};
     const double step = 2e-8;
     const std::vector<physics::Wall> walls{physics::PlaneWall{Vec3::Zero(), Vec3::UnitY()},
                                            physics::PlaneWall{Vec3(0, 1.8e-3, 0), -Vec3::UnitY()}};

@@ -101,7 +101,8 @@ TEST_CASE("batches of sub-steps may be cut anywhere")
 
 TEST_CASE("no particle and one particle are fine")
 {
-    physics::ParticleDynamics none(periodic_box, rough, {physics::PlaneWall{}}, 1e-5), one(periodic_box, rough, {physics::PlaneWall{}}, 1e-5);
+    physics::ParticleDynamics none(periodic_box, rough, {physics::PlaneWall{}}, 1e-5),
+        one(periodic_box, rough, {physics::PlaneWall{}}, 1e-5);
     test::run(none, Vec3(0, 0, -9.81), 10);
     CHECK(none.particles.size() == 0);
     one.particles.add(test::sphere(0, Vec3(1e-3, 1e-3, 0.05), 1e-3));

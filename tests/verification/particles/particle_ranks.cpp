@@ -13,10 +13,7 @@ namespace {
 const Vec3 pull(1, 0, -9.81); // drives all particles across the sides
 const core::Domain box{Vec3::Zero(), Vec3(12 * 3.2e-3, 12 * 3.2e-3, 0.1), {true, true, false}};
 
-physics::ParticleDynamics scene()
-{
-    return {box, test::material(1000, 0.6, 0.5), {physics::PlaneWall{Vec3::Zero(), Vec3::UnitZ()}}, 1e-5};
-}
+physics::ParticleDynamics scene() { return {box, test::material(1000, 0.6, 0.5), {physics::PlaneWall{Vec3::Zero(), Vec3::UnitZ()}}, 1e-5}; }
 
 /// Owner by columns of 8 mm, dealt to `used` ranks in turn, so that ranks meet themselves and others on all sides.
 physics::OwnerOf columns(int used)

@@ -62,11 +62,13 @@ std::map<std::int64_t, std::array<double, 9>> thrown_balls(double skin, double n
     auto parameters = test::material(1000, 0.6, 0.5);
     parameters.skin = skin;
     parameters.near_skin = near_skin;
-    const std::vector<physics::Wall> ends{physics::PlaneWall{Vec3(0.5e-3, 0, 0), Vec3::UnitX()}, physics::PlaneWall{Vec3(39e-3, 0, 0), -Vec3::UnitX()}};
+    const std::vector<physics::Wall> ends{physics::PlaneWall{Vec3(0.5e-3, 0, 0), Vec3::UnitX()},
+                                          physics::PlaneWall{Vec3(39e-3, 0, 0), -Vec3::UnitX()}};
     physics::ParticleDynamics dynamics({}, parameters, ends, 1e-5);
     dynamics.set_surface(physics::WallSurface(faces.vertices, faces.quads));
     for (int n = 0; n < 60; ++n) {
-        auto ball = test::sphere(n, Vec3(2.5e-3 + 3.5e-3 * (n % 10), -4e-3 + 4e-3 * (n / 10 % 3), -2e-3 + 4e-3 * (n / 30)), 1e-3 + 0.5e-3 * (n % 2));
+        auto ball = test::sphere(n, Vec3(2.5e-3 + 3.5e-3 * (n % 10), -4e-3 + 4e-3 * (n / 10 % 3), -2e-3 + 4e-3 * (n / 30)),
+                                 1e-3 + 0.5e-3 * (n % 2));
         ball.velocity = 0.5 * Vec3(n % 3 - 1, n % 5 - 2, n % 7 - 3);
         dynamics.particles.add(ball);
     }
@@ -79,14 +81,16 @@ std::map<std::int64_t, std::array<double, 9>> thrown_balls(double skin, double n
 TEST_CASE("a ball rolling round inside a pipe of faces keeps its energy")
 {
     for (const int around : {32, 64, 128})
-        CHECK(rolling_energy_error(test::pipe(25e-3, 40e-3, around, 12), 0.27, Vec3::Zero()) < 1e-5); // 3e-6 measured; 1e-6 for each joint is wanted
+        CHECK(rolling_energy_error(test::pipe(25e-3, 40e-3, around, 12), 0.27, Vec3::Zero()) <
+              1e-5); // 3e-6 measured; 1e-6 for each joint is wanted
     CHECK(rolling_energy_error(test::pipe(25e-3, 40e-3, 64, 12), 0.27, Vec3(0.05, 0, 0)) < 1e-5);
 }
 
 TEST_CASE("a plane of many faces is one plane, also at joints and corners")
 {
     const Faces plane = channel({{0, 0}, {1e-3, 0}, {2e-3, 0}, {3e-3, 0}}, 1e-3);
-    for (const Vec3& place : {Vec3(1.5e-3, 1.5e-3, 0.9e-3), Vec3(2e-3, 1.5e-3, 0.9e-3), Vec3(2e-3, 1e-3, 0.9e-3), Vec3(2.2e-3, 2e-3, 0.9e-3)})
+    for (const Vec3& place :
+         {Vec3(1.5e-3, 1.5e-3, 0.9e-3), Vec3(2e-3, 1.5e-3, 0.9e-3), Vec3(2e-3, 1e-3, 0.9e-3), Vec3(2.2e-3, 2e-3, 0.9e-3)})
         CHECK((static_force(plane, place, 1e-3) - Vec3(0, 0, 0.1)).norm() < 1e-8); // k_n times overlap; rounding of one tiny step
 }
 

@@ -48,7 +48,10 @@ TEST_CASE("a block that fails on one rank stops both, with the same words, and t
             }
         },
         reads(a), writes(total));
-    graph.whole("write", [](Lane&, double, int& n) { ++n; }, reads(total), updates(written)).effect();
+    graph
+        .whole(
+            "write", [](Lane&, double, int& n) { ++n; }, reads(total), updates(written))
+        .effect();
     const Plan plan = graph.compile();
     for (const auto& kind : kinds) {
         CAPTURE(kind);

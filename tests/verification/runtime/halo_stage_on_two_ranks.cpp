@@ -30,9 +30,8 @@ TEST_CASE("a halo stage brings the neighbours' values, also between ranks and fo
     graph.each_block(
         "shift",
         [](int, core::View<const double> pressure, core::VectorView<const double> velocity, core::View<double> out) {
-            core::for_each_cell(out.extents(), [&](int i, int j, int k) {
-                out(i, j, k) = pressure(i + 1, j, k) + 1000 * velocity.y(i - 1, j, k);
-            });
+            core::for_each_cell(out.extents(),
+                                [&](int i, int j, int k) { out(i, j, k) = pressure(i + 1, j, k) + 1000 * velocity.y(i - 1, j, k); });
         },
         reads(halo(p, 1), halo(u, 1)), writes(shifted));
     graph.sink(shifted);

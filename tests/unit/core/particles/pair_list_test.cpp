@@ -36,8 +36,7 @@ std::set<Key> brute_force(const core::ParticleSet& p, const core::Domain& domain
             for (int a = 0; a < 3; ++a)
                 if (domain.periodic[std::size_t(a)]) d[a] -= domain.size[a] * std::round(d[a] / domain.size[a]);
             const auto ii = std::size_t(i), jj = std::size_t(j);
-            if (d.norm() < p.radius[ii] + p.radius[jj] + skin)
-                pairs.insert({std::min(p.id[ii], p.id[jj]), std::max(p.id[ii], p.id[jj])});
+            if (d.norm() < p.radius[ii] + p.radius[jj] + skin) pairs.insert({std::min(p.id[ii], p.id[jj]), std::max(p.id[ii], p.id[jj])});
         }
     return pairs;
 }

@@ -64,10 +64,10 @@ TEST_CASE("the seed's law jumps at phi = 0.8 as published, the default does not"
     const double reynolds[] = {1.0, 100.0}, jump[] = {1.06, 1.73};
     for (int i = 0; i < 2; ++i) {
         const double slip = reynolds[i] * 1e-3 / (1000.0 * 0.8 * 1e-3);
-        CHECK(physics::drag_gidaspow(water(slip, 0.8, 1e-3)) / physics::drag_gidaspow(water(slip, 0.8 + 1e-12, 1e-3))
-              == test::relative(jump[i]).epsilon(0.005)); // printed to three digits
-        CHECK(physics::drag_di_felice(water(slip, 0.8, 1e-3)) / physics::drag_di_felice(water(slip, 0.8 + 1e-6, 1e-3))
-              == test::relative(1.0).epsilon(1e-4)); // Lipschitz: some 5 times the change of phi
+        CHECK(physics::drag_gidaspow(water(slip, 0.8, 1e-3)) / physics::drag_gidaspow(water(slip, 0.8 + 1e-12, 1e-3)) ==
+              test::relative(jump[i]).epsilon(0.005)); // printed to three digits
+        CHECK(physics::drag_di_felice(water(slip, 0.8, 1e-3)) / physics::drag_di_felice(water(slip, 0.8 + 1e-6, 1e-3)) ==
+              test::relative(1.0).epsilon(1e-4)); // Lipschitz: some 5 times the change of phi
     }
 }
 
@@ -121,7 +121,8 @@ TEST_CASE("the lift of Lun and Liu falls from that of Rubinow and Keller to what
     // By hand: 100^-0.522 = 10^-1.044 = 0.090365, 1000^-0.522 = 10^-1.566 = 0.027164.
     CHECK(share(100.0) == test::relative(0.25228).epsilon(1e-4));
     CHECK(share(1000.0) == test::relative(0.20033).epsilon(1e-4));
-    for (const double reynolds : {550.0, 1600.0}) CHECK(std::abs(share(reynolds) / physics::magnus_share_tsuji - 1.0) < 0.1); // which is known to 25 %
+    for (const double reynolds : {550.0, 1600.0})
+        CHECK(std::abs(share(reynolds) / physics::magnus_share_tsuji - 1.0) < 0.1); // which is known to 25 %
     p.magnus = physics::MagnusLaw::rubinow_keller;
     CHECK(share(1000.0) == 1.0);
     p.magnus = physics::MagnusLaw::tsuji;

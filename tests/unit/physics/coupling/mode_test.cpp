@@ -15,7 +15,7 @@ TEST_CASE("the first step is iterated, soft ones are pipelined, stiff ones itera
     CHECK(mode_of_step(Mode::pipelined, stiffer, 1).mode == Mode::iterated);
     CHECK(mode_of_step(Mode::iterated, soft, 1).mode == Mode::iterated);
     CHECK(mode_of_step({}, {0.2, 0.01, 0.01, 0.01, 50.0}, 1).mode == Mode::concurrent); // dilute, with stiff contacts
-    CHECK(mode_of_step({}, {0.2, 0.01, 0.01, 0.01, 0.5}, 1).mode == Mode::pipelined); // dilute, but nothing to wait for
+    CHECK(mode_of_step({}, {0.2, 0.01, 0.01, 0.01, 0.5}, 1).mode == Mode::pipelined);   // dilute, but nothing to wait for
     CHECK(mode_of_step({}, {0.2, 0.01, 0.01, 0.01, 0.5}, 1).reason.find("little to wait for") != std::string::npos);
     CHECK(mode_of_step({}, {0.1, 1200.0, 0.004, 0.6}, 1).mode == Mode::pipelined); // gas, but a bed that must come to rest
     CHECK(mode_of_step(Mode::concurrent, {0.1, 1200.0, 0.004, 0.6}, 1).mode == Mode::concurrent);

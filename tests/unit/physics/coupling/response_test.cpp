@@ -58,9 +58,9 @@ TEST_CASE("a held grain takes the full drag and gives no way; a share outside 0.
 
 TEST_CASE("auto takes the mode that holds and says why")
 {
-    CHECK(physics::choose_mode({0.1, 3.0, 1.65, 0.6}).mode == Mode::pipelined);  // sand in water
+    CHECK(physics::choose_mode({0.1, 3.0, 1.65, 0.6}).mode == Mode::pipelined);              // sand in water
     CHECK(physics::choose_mode({0.1, 1200.0, 0.004, 0.05, 100.0}).mode == Mode::concurrent); // few grains of glass in air
-    CHECK(physics::choose_mode({30.0, 3.0, 1.3, 0.6}).mode == Mode::iterated);   // 50 um in water
+    CHECK(physics::choose_mode({30.0, 3.0, 1.3, 0.6}).mode == Mode::iterated);               // 50 um in water
     CHECK(physics::choose_mode({30.0, 3.0, 1.3, 0.6}).reason.find("b = 30") != std::string::npos);
     CHECK(!physics::holds(Mode::concurrent, {0.1, 3.0, 1.65, 0.6}));
     CHECK(physics::holds(Mode::iterated, {1e5, 2000.0, 3.0, 0.6}));

@@ -11,7 +11,7 @@
 TEST_CASE("damping gives the wanted restitution with a force that never pulls")
 {
     // inverted from the closed form of Schwager and Poeschel (2007); six digits are printed
-    const double table[][2] = {{0.99, .003206}, {0.95, .016498}, {0.90, .034265}, {0.80, .074355}, {0.60, .180858},
+    const double table[][2] = {{0.99, .003206}, {0.95, .016498}, {0.90, .034265}, {0.80, .074355},  {0.60, .180858},
                                {0.50, .255276}, {0.30, .497239}, {0.20, .731247}, {0.10, 1.243188}, {0.05, 1.945346}};
     for (const auto& [restitution, damping] : table) CHECK(std::abs(physics::damping_of(restitution) - damping) < 1e-6);
     CHECK(physics::damping_of(1.0) == 0.0);

@@ -150,13 +150,13 @@ core::MultiBlock make_blocks(const Grid& grid)
         !grid.elliptic || blocks.contacts.empty(),
         "insides of blocks whose points do not match where they touch cannot be generated yet: remove 'elliptic'");
     if (grid.elliptic) generate_inside(*grid.elliptic, blocks);
-    if (grid.blocks || grid.bent_pipe) core::require_apart(blocks);
     return blocks;
 }
 
 GridMeasure measured(const Grid& grid)
 {
     const core::MultiBlock made = make_blocks(grid);
+    if (grid.blocks || grid.bent_pipe) core::require_apart(made);
     constexpr double infinity = std::numeric_limits<double>::infinity();
     GridMeasure m{core::Vec3::Constant(infinity), core::Vec3::Constant(-infinity), 0.0};
     for (std::size_t b = 0; b < made.blocks.size(); ++b) {

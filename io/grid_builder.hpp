@@ -14,7 +14,7 @@ namespace io {
 [[nodiscard]] core::MultiBlock make_blocks(const Grid& grid);
 
 /// What the blocks fill. Along a periodic axis the box is one period long.
-/// @throws core::ConfigError naming block and cell if a cell is folded or flat.
+/// @throws core::ConfigError naming block and cell if a cell is folded or flat, or blocks lie in one another.
 [[nodiscard]] GridMeasure measured(const Grid& grid);
 
 /// The box around the grid, with its periods.

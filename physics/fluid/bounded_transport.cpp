@@ -3,12 +3,16 @@
 #include "physics/fluid/bounded_transport.hpp"
 #include "core/grid/hexahedron.hpp"
 #include "physics/fluid/cell_loops.hpp"
+#include "physics/fluid/faces_of_cells.hpp"
 
 #include <algorithm>
 #include <limits>
 
 namespace physics {
 namespace {
+
+/// What leaves a cell through two faces that lie across from each other; with the faces exchanged, what enters.
+double leaving(double low, double high) { return std::max(high, 0.0) - std::min(low, 0.0); }
 
 void transport_fluxes_along(const core::BlockGeometry& geometry, const FaceCentres& centres, int axis, core::View<const double> flux,
                             const CarriedValue& q, core::View<double> upwind, core::View<double> added)
@@ -92,17 +96,9 @@ void transport_fluxes(const core::BlockGeometry& geometry, const FaceCentres& ce
 
 void outflow_of_cells(core::FaceView<const double> flux, core::View<double> outflow)
 {
-    const core::Extents n = outflow.extents();
-    for (int k = 0; k < n.nk; ++k)
-        for (int j = 0; j < n.nj; ++j) {
-            const double *fi = flux.i.row(j, k), *low_j = flux.j.row(j, k), *high_j = flux.j.row(j + 1, k), *low_k = flux.k.row(j, k),
-                         *high_k = flux.k.row(j, k + 1);
-            double* out = outflow.row(j, k);
-#pragma omp simd
-            for (int i = 0; i < n.ni; ++i)
-                out[i] = (std::max(fi[i + 1], 0.0) - std::min(fi[i], 0.0)) + (std::max(high_j[i], 0.0) - std::min(low_j[i], 0.0)) +
-                         (std::max(high_k[i], 0.0) - std::min(low_k[i], 0.0));
-        }
+    map_faces_of_cells(outflow, flux, [](double low_i, double high_i, double low_j, double high_j, double low_k, double high_k) {
+        return leaving(low_i, high_i) + leaving(low_j, high_j) + leaving(low_k, high_k);
+    });
 }
 
 void flux_shares(core::View<const double> value, core::View<const double> low, core::View<const double> capacity,
@@ -123,11 +119,8 @@ void flux_shares(core::View<const double> value, core::View<const double> low, c
                     std::max({std::max({v[i], v[i - 1], v[i + 1]}), std::max(v[i - sj], v[i + sj]), std::max(v[i - sk], v[i + sk])});
                 const double least =
                     std::min({std::min({v[i], v[i - 1], v[i + 1]}), std::min(v[i - sj], v[i + sj]), std::min(v[i - sk], v[i + sk])});
-                const double in = (std::max(fi[i], 0.0) - std::min(fi[i + 1], 0.0)) + (std::max(low_j[i], 0.0) - std::min(high_j[i], 0.0)) +
-                                  (std::max(low_k[i], 0.0) - std::min(high_k[i], 0.0));
-                const double out = (std::max(fi[i + 1], 0.0) - std::min(fi[i], 0.0)) +
-                                   (std::max(high_j[i], 0.0) - std::min(low_j[i], 0.0)) +
-                                   (std::max(high_k[i], 0.0) - std::min(low_k[i], 0.0));
+                const double in = leaving(fi[i + 1], fi[i]) + leaving(high_j[i], low_j[i]) + leaving(high_k[i], low_k[i]);
+                const double out = leaving(fi[i], fi[i + 1]) + leaving(low_j[i], high_j[i]) + leaving(low_k[i], high_k[i]);
                 take[i] = std::min(1.0, std::max(most - q[i], 0.0) * room[i] / (in + nothing));
                 give[i] = std::min(1.0, std::max(q[i] - least, 0.0) * room[i] / (out + nothing));
             }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #include "physics/fluid/face_flux.hpp"
+#include "physics/fluid/faces_of_cells.hpp"
 #include "physics/fluid/sub_face_flux.hpp"
 
 #include <cmath>
@@ -71,6 +72,17 @@ void side_gradient_flux(const core::BlockGeometry& geometry, core::Side side, co
     });
 }
 
+template <class IsClosed>
+void close_sides(core::FaceView<double> flux, IsClosed is_closed)
+{
+    const core::Extents cells{flux.j.extents().ni, flux.i.extents().nj, flux.i.extents().nk};
+    for (const core::Side side : core::all_sides) {
+        if (!is_closed(side)) continue;
+        const auto f = flux.along(core::axis_of(side));
+        for_each_side_face(cells, side, [&](int i, int j, int k) { f(i, j, k) = 0; });
+    }
+}
+
 } // namespace
 
 void gradient_flux(const core::BlockGeometry& geometry, core::View<const double> q, core::VectorView<const double> gradients,
@@ -86,12 +98,12 @@ void gradient_flux(const core::BlockGeometry& geometry, core::View<const double>
 
 void close_walls(const BlockWalls& walls, core::FaceView<double> flux)
 {
-    const core::Extents cells{flux.j.extents().ni, flux.i.extents().nj, flux.i.extents().nk};
-    for (const core::Side side : core::all_sides) {
-        if (!walls.at(side).gives_flux()) continue;
-        const auto f = flux.along(core::axis_of(side));
-        for_each_side_face(cells, side, [&](int i, int j, int k) { f(i, j, k) = 0; });
-    }
+    close_sides(flux, [&](core::Side side) { return walls.at(side).gives_flux(); });
+}
+
+void close_boundaries(const BlockWalls& walls, core::FaceView<double> flux)
+{
+    close_sides(flux, [&](core::Side side) { return walls.at(side).kind.has_value(); });
 }
 
 void wall_gradient_flux(const core::BlockGeometry& geometry, const BlockWalls& walls, core::View<const double> q,
@@ -132,30 +144,17 @@ void wall_flux(const core::BlockGeometry& geometry, const BlockWalls& walls, cor
 
 void net_outflow(core::FaceView<const double> flux, core::View<double> outflow)
 {
-    const core::Extents n = outflow.extents();
-    for (int k = 0; k < n.nk; ++k)
-        for (int j = 0; j < n.nj; ++j) {
-            const double *fi = flux.i.row(j, k), *low_j = flux.j.row(j, k), *high_j = flux.j.row(j + 1, k), *low_k = flux.k.row(j, k),
-                         *high_k = flux.k.row(j, k + 1);
-            double* out = outflow.row(j, k);
-#pragma omp simd
-            for (int i = 0; i < n.ni; ++i) out[i] = (fi[i + 1] - fi[i]) + (high_j[i] - low_j[i]) + (high_k[i] - low_k[i]);
-        }
+    map_faces_of_cells(outflow, flux, [](double low_i, double high_i, double low_j, double high_j, double low_k, double high_k) {
+        return (high_i - low_i) + (high_j - low_j) + (high_k - low_k);
+    });
 }
 
 void throughput(core::FaceView<const double> flux, core::View<double> through)
 {
-    const core::Extents n = through.extents();
-    for (int k = 0; k < n.nk; ++k)
-        for (int j = 0; j < n.nj; ++j) {
-            const double *fi = flux.i.row(j, k), *low_j = flux.j.row(j, k), *high_j = flux.j.row(j + 1, k), *low_k = flux.k.row(j, k),
-                         *high_k = flux.k.row(j, k + 1);
-            double* out = through.row(j, k);
-#pragma omp simd
-            for (int i = 0; i < n.ni; ++i)
-                out[i] = 0.5 * ((std::abs(fi[i + 1]) + std::abs(fi[i])) + (std::abs(high_j[i]) + std::abs(low_j[i])) +
-                                (std::abs(high_k[i]) + std::abs(low_k[i])));
-        }
+    const auto both = [](double low, double high) { return std::abs(high) + std::abs(low); };
+    map_faces_of_cells(through, flux, [both](double low_i, double high_i, double low_j, double high_j, double low_k, double high_k) {
+        return 0.5 * (both(low_i, high_i) + both(low_j, high_j) + both(low_k, high_k));
+    });
 }
 
 } // namespace physics

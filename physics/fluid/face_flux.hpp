@@ -17,6 +17,8 @@ void gradient_flux(const core::BlockGeometry& geometry, core::View<const double>
 
 /// Nothing goes through boundaries whose flux is given.
 void close_walls(const BlockWalls& walls, core::FaceView<double> flux);
+/// Nothing goes through any boundary.
+void close_boundaries(const BlockWalls& walls, core::FaceView<double> flux);
 
 /// Flux of grad q through boundaries: T (q_boundary - q). The gradient along the boundary is left out: it vanishes where q is given.
 /// @param q  One layer beyond boundaries, mirrored as boundary_halo.hpp does it.

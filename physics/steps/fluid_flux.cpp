@@ -34,6 +34,13 @@ void FluidFlux::declare_solid(tasks::StageGraph& graph)
         reads(coupling_->fields().sums), writes(solid_));
 }
 
+void FluidFlux::find_flux_of_grains(LocalBlock b, Vectors density, FaceView<double> flux) const
+{
+    const BlockWalls& walls = fluid_.walls()[std::size_t(b)];
+    interpolated_flux(mesh_.geometry(b), walls, density, flux);
+    close_walls(walls, flux);
+}
+
 void FluidFlux::declare_old_half(tasks::StageGraph& graph)
 {
     if (!coupling_) {
@@ -53,9 +60,7 @@ void FluidFlux::declare_old_half(tasks::StageGraph& graph)
     graph.each_block(
         "flux that carries " + carried_ + " beside grains, old half",
         [this](LocalBlock b, FaceView<const double> flux, Vectors solid, FaceView<double> of_grains, FaceView<double> mean) {
-            const BlockWalls& walls = fluid_.walls()[std::size_t(b)];
-            interpolated_flux(mesh_.geometry(b), walls, solid, of_grains);
-            close_walls(walls, of_grains);
+            find_flux_of_grains(b, solid, of_grains);
             map_faces(
                 mean, [](double f, double s) { return 0.5 * (f - s); }, flux, of_grains);
         },
@@ -78,9 +83,7 @@ void FluidFlux::declare_new_half(tasks::StageGraph& graph, Grains grains)
     graph.each_block(
         "flux that carries " + carried_ + " beside grains, new half",
         [this](LocalBlock b, FaceView<const double> flux, Vectors solid, FaceView<double> of_grains, FaceView<double> mean) {
-            const BlockWalls& walls = fluid_.walls()[std::size_t(b)];
-            interpolated_flux(mesh_.geometry(b), walls, solid, of_grains);
-            close_walls(walls, of_grains);
+            find_flux_of_grains(b, solid, of_grains);
             map_faces(
                 mean, [](double m, double f, double s) { return m + 0.5 * (f - s); }, mean, flux, of_grains);
         },

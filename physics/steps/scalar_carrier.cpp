@@ -6,6 +6,7 @@
 #include "physics/fluid/cell_loops.hpp"
 #include "physics/fluid/face_flux.hpp"
 #include "physics/fluid/gradient.hpp"
+#include "physics/steps/largest_rate.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -56,17 +57,9 @@ void set_entering(const BlockWalls& walls, const EntryValues& entering, core::Vi
 tasks::Job ScalarCarrier::count_parts(tasks::Lane& lane, const Flow& flow)
 {
     constexpr double most_outflow = 0.8; // of the fluid in a cell; bounds hold to 1
-    std::vector<double> largest(std::size_t(context_.mesh.own_count()), 0.0);
-    for_blocks(lane, [&](core::LocalBlock b) {
-        outflow_of_cells(flow.flux.on(b), net_.on(b));
-        const core::View<const double> out = net_.on(b), w = flow.share.on(b), volume = geometry(b).volume.view();
-        double& most = largest[std::size_t(b)];
-        core::for_each_cell(out.extents(),
-                            [&](int i, int j, int k) { most = std::max(most, out(i, j, k) / (w(i, j, k) * volume(i, j, k))); });
-    });
+    for_blocks(lane, [&](core::LocalBlock b) { outflow_of_cells(flow.flux.on(b), net_.on(b)); });
     double rate = 0;
-    for (const double r : largest) rate = std::max(rate, r);
-    co_await lane.max(std::span(&rate, 1));
+    co_await find_largest_rate(lane, context_.mesh, net_, flow.share, rate);
     parts_ = std::max(1, int(std::ceil(flow.dt * rate / most_outflow)));
 }
 
@@ -97,10 +90,7 @@ void ScalarCarrier::step_upwind(core::LocalBlock b, const Flow& flow, const Carr
     const auto q = scalar.value->on(b);
     const auto added = added_.on(b);
     transport_fluxes(geometry(b), centres_[std::size_t(b)], flow.flux.on(b), {q, half_.on(b), gradient_.on(b)}, upwind_.on(b), added);
-    const BlockWalls& walls = context_.walls[std::size_t(b)];
-    for (const core::Side side : core::all_sides) // what enters and leaves has the upwind value
-        if (walls.at(side).kind)
-            for_each_side_face(geometry(b).cells, side, [&](int i, int j, int k) { added.along(core::axis_of(side))(i, j, k) = 0; });
+    close_boundaries(context_.walls[std::size_t(b)], added); // what enters and leaves has the upwind value
     net_outflow(upwind_.on(b), low_.on(b));
     // In terms of what differs from the cell's own value: round-off does not grow with that.
     map_cells(

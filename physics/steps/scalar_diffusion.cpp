@@ -6,6 +6,7 @@
 #include "physics/fluid/face_flux.hpp"
 #include "physics/fluid/gradient.hpp"
 #include "physics/steps/krylov_job.hpp"
+#include "physics/steps/largest_rate.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,13 +15,6 @@ namespace physics {
 namespace {
 
 core::FieldInfo scratch(const char* name, int halo) { return {name, "", halo, false}; }
-
-void close_boundaries(const BlockWalls& walls, core::Extents cells, core::FaceView<double> flux)
-{
-    for (const core::Side side : core::all_sides)
-        if (walls.at(side).kind)
-            for_each_side_face(cells, side, [&](int i, int j, int k) { flux.along(core::axis_of(side))(i, j, k) = 0; });
-}
 
 } // namespace
 
@@ -56,7 +50,7 @@ tasks::Job ScalarDiffusion::form_inflow(tasks::Lane& lane, core::ScalarField& q)
     for_blocks(lane, [&](core::LocalBlock b) {
         const auto flux = flux_.on(b);
         gradient_flux(geometry(b), q.on(b), gradient_.on(b), flux);
-        close_boundaries(context_.walls[std::size_t(b)], geometry(b).cells, flux);
+        close_boundaries(context_.walls[std::size_t(b)], flux);
         map_faces(
             flux, [](double f, double d) { return f * d; }, flux, equation_->diffusivity.on(b));
         net_outflow(flux, inflow_.on(b));
@@ -68,20 +62,14 @@ tasks::Job ScalarDiffusion::form_inflow(tasks::Lane& lane, core::ScalarField& q)
 
 tasks::Job ScalarDiffusion::choose_share(tasks::Lane& lane)
 {
-    std::vector<double> largest(std::size_t(context_.mesh.own_count()), 0.0);
     for_blocks(lane, [&](core::LocalBlock b) {
         transmissibility_sum(geometry(b), equation_->diffusivity.on(b), diagonal_.on(b));
         if (equation_->free)
             map_cells(
                 diagonal_.on(b), [](double sum, double free) { return sum * free; }, diagonal_.on(b), equation_->free->on(b));
-        const core::View<const double> sum = diagonal_.on(b), w = equation_->capacity.on(b), volume = geometry(b).volume.view();
-        double& most = largest[std::size_t(b)];
-        core::for_each_cell(sum.extents(),
-                            [&](int i, int j, int k) { most = std::max(most, sum(i, j, k) / (w(i, j, k) * volume(i, j, k))); });
     });
     double rate = 0;
-    for (const double r : largest) rate = std::max(rate, r);
-    co_await lane.max(std::span(&rate, 1));
+    co_await find_largest_rate(lane, context_.mesh, diagonal_, equation_->capacity, rate);
     const double number = equation_->dt * rate;
     implicit_ = number > 2 ? 1 - 1 / number : 0.5; // old values then keep a weight that is not negative
 }

@@ -13,6 +13,7 @@
 #include "physics/steps/turbulence_step.hpp"
 #include "tasks/exchange_filler.hpp"
 #include "tasks/executor.hpp"
+#include "tests/support/volume_mean.hpp"
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -108,18 +109,7 @@ public:
         });
     }
     /// Volume mean of a value in each cell.
-    [[nodiscard]] double mean(const std::function<double(core::LocalBlock, int, int, int)>& value) const
-    {
-        return core::sum_over_blocks(mesh_, ranks_,
-                                     [&](core::LocalBlock b) {
-                                         double sum = 0;
-                                         core::for_each_cell(mesh_.geometry(b).cells, [&](int i, int j, int k) {
-                                             sum += mesh_.geometry(b).volume(i, j, k) * value(b, i, j, k);
-                                         });
-                                         return sum;
-                                     }) /
-               mesh_.total_volume();
-    }
+    [[nodiscard]] double mean(const OfCell& value) const { return volume_mean(mesh_, ranks_, value); }
     [[nodiscard]] Vec3 velocity(core::LocalBlock b, int i, int j, int k) const
     {
         const auto u = step_.state().velocity.on(b);

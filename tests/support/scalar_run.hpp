@@ -101,7 +101,6 @@ public:
     [[nodiscard]] int products() const { return diffusion_.products(); }
 
 private:
-    using OfCell = std::function<double(core::LocalBlock, int, int, int)>;
     template <class Body>
     void for_each_cell(Body body) const
     {
@@ -109,18 +108,7 @@ private:
             core::for_each_cell(mesh_.geometry(b).cells, [&](int i, int j, int k) { body(b, i, j, k); });
     }
     [[nodiscard]] Vec3 centre(core::LocalBlock b, int i, int j, int k) const { return mesh_.geometry(b).centre(i, j, k); }
-    [[nodiscard]] double mean(const OfCell& term) const
-    {
-        return core::sum_over_blocks(mesh_, ranks_,
-                                     [&](core::LocalBlock b) {
-                                         double sum = 0;
-                                         core::for_each_cell(mesh_.geometry(b).cells, [&](int i, int j, int k) {
-                                             sum += mesh_.geometry(b).volume(i, j, k) * term(b, i, j, k);
-                                         });
-                                         return sum;
-                                     }) /
-               mesh_.total_volume();
-    }
+    [[nodiscard]] double mean(const OfCell& term) const { return volume_mean(mesh_, ranks_, term); }
 
     core::Communicator ranks_;
     core::Mesh mesh_;

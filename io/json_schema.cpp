@@ -35,6 +35,11 @@ const std::string decimal = R"([-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?
     case Shape::width: return pattern("^" + decimal + " *[^0-9 ].*$");
     case Shape::choice: return {{"enum", value.words}};
     case Shape::interval: return pattern("^(never|every " + decimal + " *[^0-9 ].*)$");
+    case Shape::points: {
+        const Json item{{"type", Json::array({"string", "number"})}};
+        const Json point{{"type", "array"}, {"items", item}, {"minItems", 2}, {"maxItems", 2}};
+        return {{"type", "array"}, {"items", point}, {"minItems", 2}};
+    }
     case Shape::direction: {
         const Json vector{{"type", "array"}, {"items", {{"type", "number"}}}, {"minItems", 3}, {"maxItems", 3}};
         return {{"anyOf", {pattern("^[-+]?[xyz]$"), vector}}};

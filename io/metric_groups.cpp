@@ -109,12 +109,20 @@ MetricGroup fluid_metrics(World& world)
 
 MetricGroup drive_metrics(World& world)
 {
-    return {{"axis_speed", "flow_rate"}, [&world] {
+    std::vector<std::string> names{"axis_speed", "flow_rate"};
+    const bool prescribed = world.fluid()->flow_control();
+    if (prescribed) names.emplace_back("pressure_gradient");
+    return {names, [&world, prescribed] {
                 const core::Vec3 along = physics::drive_direction(world.fluid()->parameters().drive);
                 const Grid& grid = world.scene().grid;
                 const double flow =
                     fluid_integral(world, [&](LocalBlock b, int i, int j, int k) { return along.dot(velocity_at(world, b, i, j, k)); });
-                return std::vector<double>{world.axis_speed(), flow / along.cwiseAbs().dot(grid.high() - grid.low())};
+                std::vector<double> values{world.axis_speed(), flow / along.cwiseAbs().dot(grid.high() - grid.low())};
+                const auto& fluid = world.fluid()->parameters();
+                const auto& clock = world.clock();
+                if (prescribed)
+                    values.push_back(fluid.density * along.dot(physics::mean_acceleration(fluid.drive, clock.drive, clock.time, 0)));
+                return values;
             }};
 }
 

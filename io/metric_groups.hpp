@@ -15,7 +15,8 @@ namespace io {
 [[nodiscard]] MetricGroup turbulence_metrics(World& world);
 /// Amount of each scalar in the fluid: its integral over the volume of the fluid [m3]; its least and largest value.
 [[nodiscard]] MetricGroup scalar_metrics(World& world);
-/// Speed on the axis [m/s]; flow rate of fluid along the drive: mean of phi u over the domain times its section [m3/s].
+/// Speed on the axis [m/s]; flow rate of fluid along the drive: mean of phi u over the domain times its section [m3/s]; where the flow
+/// is prescribed, the mean pressure gradient that the last step has found [Pa/m].
 [[nodiscard]] MetricGroup drive_metrics(World& world);
 /// Their number and kinetic energy, spin included [J].
 [[nodiscard]] MetricGroup particle_metrics(World& world);

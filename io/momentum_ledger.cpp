@@ -222,9 +222,12 @@ void MomentumLedger::update()
 {
     const auto& parameters = world_.fluid()->parameters();
     const double dt = world_.clock().dt;
-    const core::Vec3 drive = physics::mean_acceleration(parameters.drive, drive_, time_, dt);
+    // Of a prescribed flow the step itself says what the drive was.
+    const physics::DriveState& state = std::holds_alternative<physics::FlowDrive>(parameters.drive) ? world_.clock().drive : drive_;
+    const core::Vec3 drive = physics::mean_acceleration(parameters.drive, state, time_, dt);
+    const core::Vec3 told = physics::expected_acceleration(parameters.drive, state, time_, dt);
     const CellSums cells = sum_cells(true);
-    const GrainSums grains = sum_grains(drive);
+    const GrainSums grains = sum_grains(told);
     const MomentumTotals before = totals_;
     totals_ = {cells[of_fluid], cells[of_ledger], grains[of_grains], grains[of_owed]};
     change_ = totals_.sum() - before.sum();
@@ -234,7 +237,8 @@ void MomentumLedger::update()
     impulses_.wall_pressure = cells[of_push];
     impulses_.wall_friction = cells[of_friction];
     impulses_.advection = cells[of_advection];
-    impulses_.gradient = cells[of_gradients] - cells[of_push];
+    // What the drive gave beyond what grains were told stands among the gradients of the cells.
+    impulses_.gradient = cells[of_gradients] - cells[of_push] - parameters.density * dt * world_.mesh().total_volume() * (drive - told);
     impulses_.viscous_share = cells[of_share];
     impulses_.given = cells[of_given];
     impulses_.taken = grains[of_taken] - before.owed;

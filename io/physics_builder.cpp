@@ -13,8 +13,15 @@ core::Vec3 unit_of(Axis axis) { return core::Vec3::Unit(axis == Axis::y ? 1 : ax
 
 physics::Drive drive_of(const Drive& drive, double density)
 {
-    const core::Vec3 acceleration = drive.pressure_gradient / density * unit_of(drive.axis);
-    if (drive.frequency) return physics::HarmonicDrive{acceleration, 2 * std::numbers::pi * *drive.frequency, 0};
+    using physics::FlowDrive;
+    physics::TimeCourse course;
+    if (drive.frequency) course = physics::HarmonicCourse{0, 1, 2 * std::numbers::pi * *drive.frequency, 0};
+    if (drive.over_time) course = course_of(*drive.over_time);
+    const core::Vec3 direction = unit_of(drive.axis);
+    if (drive.flow_rate) return FlowDrive{direction, *drive.flow_rate, course};
+    if (drive.bulk_velocity) return FlowDrive{direction, *drive.bulk_velocity, course, FlowDrive::Measure::bulk_velocity};
+    const core::Vec3 acceleration = *drive.pressure_gradient / density * direction;
+    if (drive.frequency || drive.over_time) return physics::VaryingDrive{acceleration, course};
     if (drive.reverse_at) return physics::ReversingDrive{acceleration, drive.reverse_at->axis_speed};
     return physics::ConstantDrive{acceleration};
 }

@@ -3,6 +3,7 @@
 #pragma once
 // A scene as the user describes it: plain structs in SI units, with the defaults.
 #include "core/base/vec3.hpp"
+#include "io/course_keys.hpp"
 #include "io/grid_shapes.hpp"
 #include "io/value.hpp"
 #include "physics/fluid/boundary_kind.hpp"
@@ -124,12 +125,16 @@ struct ReverseAt {
     bool operator==(const ReverseAt&) const = default;
 };
 
-/// The mean pressure gradient that drives the fluid along a periodic axis: constant, G cos(2 pi f t), or reversing.
+/// What drives the fluid along a periodic axis: exactly one of a mean pressure gradient and of what shall flow; constant, times
+/// cos(2 pi frequency t), over time as given, or a gradient that reverses. Positive means towards the high end.
 struct Drive {
-    double pressure_gradient = 0.0; ///< [Pa/m]; positive pushes the fluid towards the high end.
+    std::optional<double> pressure_gradient; ///< [Pa/m]
     Axis axis = Axis::x;
     std::optional<double> frequency; ///< [Hz]
     std::optional<ReverseAt> reverse_at;
+    std::optional<double> flow_rate;     ///< of fluid and particles through each section [m3/s]
+    std::optional<double> bulk_velocity; ///< the same over the mean area of sections [m/s]
+    std::optional<CourseKeys> over_time;
     bool operator==(const Drive&) const = default;
 };
 

@@ -55,11 +55,33 @@ private:
                      fmt::format("the drive acts along {}, which is not periodic", axis_words[std::size_t(axis) + 1]),
                      "add the axis to grid.periodic");
         if (drive.frequency && drive.reverse_at) complain(path + ".reverse_at", "'reverse_at' excludes 'frequency'", "keep one of the two");
+        if (drive.over_time) check_drive_over_time(drive);
+        if (drive.reverse_at && !drive.pressure_gradient && all_good({path}))
+            complain(path + ".reverse_at", "'reverse_at' needs 'pressure_gradient'", "remove it, or give the gradient");
+        if (drive.flow_rate || drive.bulk_velocity) check_prescribed_flow(path);
         if (drive.reverse_at && locations_.good(path + ".pressure_gradient") && drive.pressure_gradient == 0.0)
             complain(path + ".pressure_gradient", "without a gradient the flow never reverses", "write a gradient other than 0");
         if (drive.reverse_at && !scene_.grid.pipe && locations_.good("grid"))
             complain(path + ".reverse_at", fmt::format("'reverse_at' watches the axis of a pipe, and this is a {}", scene_.grid.shape()),
                      "use 'frequency', or grid.pipe");
+    }
+
+    void check_drive_over_time(const Drive& drive)
+    {
+        const std::string path = "fluid.drive.over_time";
+        if (drive.frequency)
+            complain(path, "'over_time' excludes 'frequency'", "keep one of the two; over_time has a frequency of its own");
+        if (drive.reverse_at) complain(path, "'over_time' excludes 'reverse_at'", "keep one of the two");
+        if (locations_.good("run.until")) check_course(*drive.over_time, path, scene_.run.until, locations_, problems_);
+    }
+
+    /// The same must flow through all sections.
+    void check_prescribed_flow(const std::string& path)
+    {
+        for (const Boundary& boundary : scene_.fluid->boundaries)
+            if (boundary.kind == BoundaryKind::inflow || physics::gives_pressure(boundary.kind))
+                complain(path, fmt::format("a flow cannot be prescribed where fluid also goes through '{}'", boundary.at),
+                         "give a pressure_gradient, or make that boundary a wall");
     }
 
     [[nodiscard]] core::Vec3 low_of(const Species& species) const

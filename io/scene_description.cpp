@@ -48,9 +48,14 @@ static void describe(Schema& s, ReverseAt& p)
 
 static void describe(Schema& s, Drive& p)
 {
-    s.required("pressure_gradient", p.pressure_gradient, "Pa/m", "Mean pressure drop per length; with a frequency, its amplitude");
+    s.exactly_one({"pressure_gradient", "flow_rate", "bulk_velocity"});
+    s.value("pressure_gradient", p.pressure_gradient, "Pa/m", "Mean pressure drop per length; with a frequency, its amplitude");
+    s.value("flow_rate", p.flow_rate, "m3/s",
+            "Volume of fluid and particles that flows through each section, exact at the end of each step; the pressure drop follows");
+    s.value("bulk_velocity", p.bulk_velocity, "m/s", "The flow rate over the mean area of the sections, instead of it");
     s.value("axis", "Axis along which it acts; it must be periodic", choice_of(p.axis, axis_words));
-    s.value("frequency", p.frequency, "Hz", "Makes the gradient harmonic: a cosine of time", positive);
+    s.value("frequency", p.frequency, "Hz", "Makes it harmonic: a cosine of time", positive);
+    s.group("over_time", p.over_time, "Makes it change in time: a factor, by a formula or a table");
     s.group("reverse_at", p.reverse_at, "Makes the gradient change sign when the flow is fast enough");
 }
 

@@ -37,7 +37,10 @@ Scene read_scene_tree(Node& root, Mark start, const std::vector<std::string>& ov
     Scene scene;
     describe(reader, scene);
     reader.finish();
-    check_grid(scene.grid, std::filesystem::path(start.source->name).parent_path(), locations, problems);
+    const auto folder = std::filesystem::path(start.source->name).parent_path();
+    check_grid(scene.grid, folder, locations, problems);
+    if (scene.fluid && scene.fluid->drive && scene.fluid->drive->over_time)
+        read_course_file(*scene.fluid->drive->over_time, "fluid.drive.over_time", folder, locations, problems);
     check_scene(scene, locations, problems);
     scene.resolve();
     return scene;

@@ -11,10 +11,11 @@ namespace {
 
 BlockList blocks_of(const core::Mesh& mesh) { return {mesh.own(), mesh.blocks()}; }
 
-/// Calls visit(name, value) for every number of the clock.
+/// Calls visit(name, value) for every number of the clock; those of a prescribed flow only where there is one.
 template <class Visit>
-void for_each_scalar(physics::FluidClock& clock, Visit visit)
+void for_each_scalar(World& world, Visit visit)
 {
+    physics::FluidClock& clock = world.clock();
     visit("time", clock.time);
     visit("time step before", clock.dt_before);
     visit("memory time", clock.memory_time);
@@ -22,6 +23,10 @@ void for_each_scalar(physics::FluidClock& clock, Visit visit)
     visit("steps since jump", clock.steps_since_jump);
     visit("drive sign", clock.drive.sign);
     visit("drive switched at", clock.drive.switched_at);
+    if (!world.fluid() || !world.fluid()->flow_control()) return;
+    visit("drive expected", clock.drive.expected);
+    visit("drive correction", clock.drive.correction);
+    visit("drive resistance", clock.drive.resistance);
 }
 
 /// The columns of particles that are written, three at a time where they form vectors.
@@ -157,7 +162,7 @@ std::string save_state(World& world, const std::string& directory, int keep)
 {
     CheckpointWriter writer(directory, world.clock().step, world.ranks());
     for_each_carried_field(world, [&](auto& field) { writer.field(views(std::as_const(field)), blocks_of(world.mesh())); });
-    for_each_scalar(world.clock(), [&](const char* name, auto& value) { writer.scalar(name, double(value)); });
+    for_each_scalar(world, [&](const char* name, auto& value) { writer.scalar(name, double(value)); });
     if (world.grains()) {
         writer.scalar("settled_sub_steps", world.settled());
         save_particles(world, writer);
@@ -174,7 +179,7 @@ void load_state(const CheckpointReader& checkpoint, World& world)
         checkpoint.note("scene") == world.scene().name,
         core::text("the checkpoint is of the scene '", checkpoint.note("scene"), "', not of '", world.scene().name, "'"));
     for_each_carried_field(world, [&](auto& field) { checkpoint.field(views(field), blocks_of(world.mesh())); });
-    for_each_scalar(world.clock(),
+    for_each_scalar(world,
                     [&](const char* name, auto& value) { value = std::remove_reference_t<decltype(value)>(checkpoint.scalar(name)); });
     if (!world.grains()) return;
     world.settled() = checkpoint.scalar("settled_sub_steps");

@@ -71,8 +71,9 @@ void check(const Study& study, const Scene& base)
     core::require<ConfigError>(study.vary.steps_per_period.empty() || harmonic,
                                "vary.steps_per_period needs fluid.drive.frequency in the scene");
     if (study.error != StudyError::womersley) return;
-    core::require<ConfigError>(harmonic && base.grid.pipe && base.particles.empty() && base.fluid->material.viscosity > 0,
-                               "error: womersley needs a scene of a pipe with fluid.drive.frequency, a viscosity and no particles");
+    core::require<ConfigError>(
+        harmonic && base.fluid->drive->pressure_gradient && base.grid.pipe && base.particles.empty() && base.fluid->material.viscosity > 0,
+        "error: womersley needs a scene of a pipe with fluid.drive.pressure_gradient and frequency, a viscosity and no particles");
     core::require<ConfigError>(!study.vary.steps_per_period.empty(), "error: womersley needs vary.steps_per_period");
 }
 

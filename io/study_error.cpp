@@ -18,7 +18,7 @@ physics::WomersleyFlow exact_flow(const Scene& scene)
 {
     const Drive& drive = *scene.fluid->drive;
     return physics::WomersleyFlow({scene.grid.pipe->diameter / 2, scene.fluid->material.viscosity,
-                                   drive.pressure_gradient / scene.fluid->material.density, 2 * std::numbers::pi * *drive.frequency});
+                                   *drive.pressure_gradient / scene.fluid->material.density, 2 * std::numbers::pi * *drive.frequency});
 }
 
 double radius(const core::Vec3& x) { return std::hypot(x.y(), x.z()); }

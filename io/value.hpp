@@ -55,7 +55,7 @@ struct Reading {
 };
 
 struct Value {
-    enum class Shape { text, integer, number, quantity, choice, width, interval, direction };
+    enum class Shape { text, integer, number, quantity, choice, width, interval, direction, points };
     Shape shape = Shape::text;
     std::string unit; ///< Of a quantity; "1" for a pure number; empty for the rest.
     Range range;
@@ -76,6 +76,8 @@ struct Value {
 [[nodiscard]] Value value_of(std::string& place, std::string_view unit, Range range);
 [[nodiscard]] Value value_of(Width& place, std::string_view unit, Range range);
 [[nodiscard]] Value value_of(Interval& place, std::string_view unit, Range range);
+/// Points [time, number] in the order of time; the unit is that of the times.
+[[nodiscard]] Value value_of(std::vector<std::array<double, 2>>& place, std::string_view unit, Range range);
 /// Three quantities [x, y, z].
 [[nodiscard]] Value value_of(core::Vec3& place, std::string_view unit, Range range);
 /// Three counts [x, y, z].

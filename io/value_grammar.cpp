@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
-// The two kinds of values that have a small grammar of their own: widths ("2 d") and intervals ("every 60 s wall").
+// The kinds of values that have a small grammar of their own: widths ("2 d"), intervals ("every 60 s wall"), points [2 s, 1].
 #include "io/value.hpp"
 
 #include <fmt/format.h>
@@ -78,7 +78,45 @@ void read_interval(const Node& node, const Value& value, Interval& place, const 
     return "";
 }
 
+void read_points(const Node& node, const Value& value, std::vector<std::array<double, 2>>& place, const Reading& reading)
+{
+    const auto complain = [&](const Node& at, const std::string& message) {
+        reading.problems.add(at.mark, message, "write " + form_of(value));
+    };
+    if (node.kind != Node::Kind::list) return complain(node, "this must be a list, and is " + name_of(node.kind));
+    place.clear();
+    for (const Node& item : node.items) {
+        if (item.kind != Node::Kind::list || item.items.size() != 2) return complain(item, "a point [time, value] is needed here");
+        std::array<double, 2> point{};
+        const std::size_t before = reading.problems.size();
+        value_of(point[0], value.unit, any_number).read(item.items[0], reading);
+        value_of(point[1], "1", any_number).read(item.items[1], reading);
+        if (reading.problems.size() != before) return;
+        if (!place.empty() && point[0] <= place.back()[0])
+            return complain(item, fmt::format("the times of a table must increase, and {} {} follows {} {}", number_text(point[0]),
+                                              value.unit, number_text(place.back()[0]), value.unit));
+        place.push_back(point);
+    }
+    if (place.size() < 2) complain(node, "a table needs at least two points");
+}
+
 } // namespace
+
+Value value_of(std::vector<std::array<double, 2>>& place, std::string_view unit, Range range)
+{
+    Value value;
+    value.shape = Value::Shape::points;
+    value.unit = unit;
+    value.range = range;
+    value.read = [&place, value](const Node& n, const Reading& r) { read_points(n, value, place, r); };
+    value.write = [&place, u = std::string(unit)] {
+        std::string all;
+        for (const auto& [time, number] : place)
+            all += fmt::format("{}[{} {}, {}]", all.empty() ? "" : ", ", number_text(time), u, number_text(number));
+        return all.empty() ? all : "[" + all + "]";
+    };
+    return value;
+}
 
 Value value_of(Width& place, std::string_view unit, Range range)
 {

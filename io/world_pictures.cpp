@@ -48,7 +48,9 @@ std::string time_text(const Scene& scene, double time)
     const Drive& drive = *scene.fluid->drive;
     double period = 0;
     if (drive.frequency) period = 1.0 / *drive.frequency;
-    if (drive.reverse_at) period = 4.0 * drive.reverse_at->axis_speed * scene.fluid->material.density / std::abs(drive.pressure_gradient);
+    if (drive.over_time && drive.over_time->frequency) period = 1.0 / *drive.over_time->frequency;
+    if (drive.reverse_at && drive.pressure_gradient)
+        period = 4.0 * drive.reverse_at->axis_speed * scene.fluid->material.density / std::abs(*drive.pressure_gradient);
     return period > 0 ? text + fmt::format("    t/T = {:.2f}", time / period) : text;
 }
 

@@ -18,12 +18,19 @@ constexpr double still_steps = 200; // steps of a fluid that nothing moves, over
 
 physics::TimeStepLimit World::limit_of_step() const
 {
-    core::Vec3 pull = physics::drive_direction(fluid_->parameters().drive).cwiseAbs();
-    if (scene_.fluid->drive) pull *= std::abs(scene_.fluid->drive->pressure_gradient) / scene_.fluid->material.density;
+    const auto& drive = fluid_->parameters().drive;
+    const core::Vec3 direction = physics::drive_direction(drive).cwiseAbs();
+    core::Vec3 pull = physics::drive_strength(drive, clock().drive) * direction;
     if (grains_) pull += gravity_of(scene_).cwiseAbs();
     physics::TransportRates rates;
     for (core::LocalBlock b = 0; b < mesh_.own_count(); ++b)
         rates.widen(physics::transport_rates(mesh_.geometry(b), fluid_->state().velocity.on(b), pull));
+    // A flow that is prescribed begins at once.
+    const bool starts = clock().dt_before == 0 && fluid_->flow_control();
+    const double start = starts ? std::abs(fluid_->flow_control()->bulk_velocity(time())) : 0.0;
+    for (core::LocalBlock b = 0; starts && b < mesh_.own_count(); ++b)
+        rates.displacement = std::max(
+            rates.displacement, physics::transport_rates(mesh_.geometry(b), fluid_->state().velocity.on(b), start * direction).growth);
     std::array all{rates.displacement, rates.distortion, rates.growth, grains_ ? physics::largest_speed(grains_->particles) : 0.0};
     ranks_.max(all);
     physics::TimeStepOptions options;

@@ -82,12 +82,12 @@ void CoupledStep::declare_ledger(tasks::StageGraph& graph, Mode mode)
     else
         graph.each_block(
             "ledger",
-            [this](LocalBlock, Vectors u, Vectors advected, Vectors gp, Vectors gradient, const FluidClock& clock, GrainSumViews sums,
-                   Vectors change, View<const double> response, Vectors miss, VectorView<double> ledger) {
-                unpaid_impulse(own(u, advected, gp, clock), sums, {change, response, gradient, miss}, ledger);
+            [this](LocalBlock, Vectors u, Vectors advected, Vectors gp, Vectors gradient, const FluidClock& clock, const DriveState& drive,
+                   GrainSumViews sums, Vectors change, View<const double> response, Vectors miss, VectorView<double> ledger) {
+                unpaid_impulse(own(u, advected, gp, {clock, drive}), sums, {change, response, gradient, miss}, ledger);
             },
-            reads(fluid_.state().velocity, f.advected, fluid.pressure_gradient, fluid.psi_gradient, clock_, f.sums, f.change, f.response,
-                  f.miss),
+            reads(fluid_.state().velocity, f.advected, fluid.pressure_gradient, fluid.psi_gradient, clock_, fluid_.drive(), f.sums,
+                  f.change, f.response, f.miss),
             updates(f.ledger));
     graph.sink(f.ledger);
 }

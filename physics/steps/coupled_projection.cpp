@@ -14,9 +14,9 @@ using core::FaceView, core::LocalBlock, core::VectorView, core::View;
 using tasks::beside, tasks::reads, tasks::updates, tasks::writes;
 using Vectors = VectorView<const double>;
 
-FluidOwn CoupledStep::own(CellVectors velocity, CellVectors advected, CellVectors pressure_gradient, const FluidClock& clock) const
+FluidOwn CoupledStep::own(CellVectors velocity, CellVectors advected, CellVectors pressure_gradient, const StepDrive& at) const
 {
-    return {velocity, advected, pressure_gradient, drive_of(clock), fluid_.parameters().density, clock.dt};
+    return {velocity, advected, pressure_gradient, drive_of(at.clock, at.state), fluid_.parameters().density, at.clock.dt};
 }
 
 void CoupledStep::declare_boundaries(tasks::StageGraph& graph)
@@ -112,10 +112,11 @@ void CoupledStep::declare_predictor(tasks::StageGraph& graph, core::FieldBatch<g
         reads(velocity, f.advected, f.acceleration, clock_), writes(f.miss));
     graph.each_block(
         "predict with grains",
-        [this](LocalBlock, Vectors u, Vectors advected, Vectors gp, const FluidClock& clock, GrainSumViews sums, Vectors ledger,
-               Vectors miss,
-               VectorView<double> change) { predicted_velocity_change(own(u, advected, gp, clock), sums, ledger, miss, change); },
-        reads(velocity, f.advected, fluid.pressure_gradient, clock_, taken, f.ledger, f.miss), writes(f.change));
+        [this](LocalBlock, Vectors u, Vectors advected, Vectors gp, const FluidClock& clock, const DriveState& drive, GrainSumViews sums,
+               Vectors ledger, Vectors miss, VectorView<double> change) {
+            predicted_velocity_change(own(u, advected, gp, {clock, drive}), sums, ledger, miss, change);
+        },
+        reads(velocity, f.advected, fluid.pressure_gradient, clock_, fluid_.drive(), taken, f.ledger, f.miss), writes(f.change));
     graph.each_block(
         "projection response",
         [this](LocalBlock, GrainSumViews sums, const FluidClock& clock, View<double> response, View<double> mobility) {
@@ -134,10 +135,12 @@ void CoupledStep::declare_volume_flux(tasks::StageGraph& graph, core::FieldBatch
     auto& state = fluid_.state();
     graph.each_block(
         "volume flux with grains",
-        [this](LocalBlock, Vectors u, Vectors advected, Vectors gp, const FluidClock& clock, GrainSumViews sums, Vectors change,
-               Vectors miss, View<double> known,
-               VectorView<double> carried) { predicted_volume_flux(own(u, advected, gp, clock), sums, change, miss, known, carried); },
-        reads(state.velocity, f.advected, fluid.pressure_gradient, clock_, taken, f.change, f.miss), writes(f.known_mobility, f.carried));
+        [this](LocalBlock, Vectors u, Vectors advected, Vectors gp, const FluidClock& clock, const DriveState& drive, GrainSumViews sums,
+               Vectors change, Vectors miss, View<double> known, VectorView<double> carried) {
+            predicted_volume_flux(own(u, advected, gp, {clock, drive}), sums, change, miss, known, carried);
+        },
+        reads(state.velocity, f.advected, fluid.pressure_gradient, clock_, fluid_.drive(), taken, f.change, f.miss),
+        writes(f.known_mobility, f.carried));
     fluid_.declare_interpolated_flux(graph, f.carried);
     graph.each_block(
         "known pressure on faces",
@@ -165,6 +168,12 @@ void CoupledStep::declare_projection(tasks::StageGraph& graph)
             return fluid_.pressure_system().solve(lane, mobility, {outflow, through, 1.0 - clock.memory()}, change);
         },
         reads(face_mobility_, fluid.outflow, fluid.throughput, clock_), writes(fluid.psi));
+    FlowControl* control = fluid_.flow_control();
+    if (control) {
+        control->declare_response(graph, face_mobility_);
+        control->declare_correction(
+            graph, {fluid.throughput, fluid.psi, fluid.predicted_flux, clock_, fluid_.drive(), 1.0 / fluid_.parameters().density});
+    }
     fluid_.declare_impulse_gradient(graph);
     graph.each_block(
         "correct face flux with grains",
@@ -177,6 +186,16 @@ void CoupledStep::declare_projection(tasks::StageGraph& graph)
         },
         reads(beside(fluid.psi), beside(fluid.psi_gradient), face_mobility_, fluid.predicted_flux),
         writes(fluid.face_scratch, fluid_.state().flux));
+    if (!control) return;
+    graph.each_block(
+        "gradient of the drive's correction",
+        [this](LocalBlock, const DriveState& drive, VectorView<double> out) {
+            const core::Vec3 push = fluid_.parameters().density * drive.correction * drive_direction(fluid_.parameters().drive);
+            for (int c = 0; c < 3; ++c)
+                map_cells(
+                    out.component(c), [p = push[c]](double g) { return g - p; }, out.component(c));
+        },
+        reads(fluid_.drive()), updates(fluid.psi_gradient));
 }
 
 void CoupledStep::declare_correction(tasks::StageGraph& graph)

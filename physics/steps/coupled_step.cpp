@@ -48,9 +48,9 @@ CoupledStep::CoupledStep(const core::Locator& locator, const core::Communicator&
     halos_.prepare(&fluid_.fields().gradient_x, core::beside);
 }
 
-core::Vec3 CoupledStep::drive_of(const FluidClock& clock) const
+core::Vec3 CoupledStep::drive_of(const FluidClock& clock, const DriveState& state) const
 {
-    return mean_acceleration(fluid_.parameters().drive, clock.drive, clock.time, clock.dt);
+    return expected_acceleration(fluid_.parameters().drive, state, clock.time, clock.dt);
 }
 
 void CoupledStep::declare(tasks::StageGraph& graph, Mode mode)
@@ -65,12 +65,14 @@ void CoupledStep::declare(tasks::StageGraph& graph, Mode mode)
         if (pass == 0) {
             const auto lane = graph.lane("fluid");
             if (company_.before) company_.before(graph);
+            fluid_.declare_expected_drive(graph);
             declare_viscosity(graph);
             declare_transport(graph);
             declare_memory(graph);
         }
         {
             const auto lane = graph.lane("fluid");
+            if (auto* control = fluid_.flow_control(); control && pass > 0) control->declare_next_pass(graph, fluid_.drive());
             fluid_.declare_pressure_gradient(graph); // that the grains are told
         }
         {
@@ -115,14 +117,14 @@ void CoupledStep::declare_grain_load(tasks::StageGraph& graph)
     graph.whole(
         "load grains",
         [this](tasks::Lane& lane, const core::FieldBatch<told_views>& told, const core::FieldBatch<3>& vorticity,
-               const core::ScalarField& fraction, const FluidClock& clock, const GrainPlaces& places, ParticleDynamics& grains,
-               GrainHolds& holds) {
+               const core::ScalarField& fraction, const FluidClock& clock, const DriveState& drive, const GrainPlaces& places,
+               ParticleDynamics& grains, GrainHolds& holds) {
             holds.forget();
             const GrainTable table = sample(lane.team(), places, std::size_t(grains.particles.owned), told, vorticity);
             exchange_.freeze_drag(grains.particles, table, fractions_at(places, grains.particles, fraction));
-            exchange_.load(grains.particles, table, drive_of(clock), {clock.dt, grains.step(), 1.0 - clock.memory()});
+            exchange_.load(grains.particles, table, drive_of(clock, drive), {clock.dt, grains.step(), 1.0 - clock.memory()});
         },
-        reads(f.told, f.vorticity, halo(f.fraction, 1), clock_, places_), updates(grains_, holds_));
+        reads(f.told, f.vorticity, halo(f.fraction, 1), clock_, fluid_.drive(), places_), updates(grains_, holds_));
     graph.whole(
         "keep grains",
         [](tasks::Lane&, const ParticleDynamics& grains, GrainState& kept) {
@@ -136,16 +138,16 @@ void CoupledStep::declare_restart_of_grains(tasks::StageGraph& graph)
     graph.whole(
         "load grains again",
         [this](tasks::Lane& lane, const core::FieldBatch<told_views>& told, const core::FieldBatch<3>& vorticity,
-               const core::ScalarField& fraction, const FluidClock& clock, GrainState& kept, GrainPlaces& places,
+               const core::ScalarField& fraction, const FluidClock& clock, const DriveState& drive, GrainState& kept, GrainPlaces& places,
                ParticleDynamics& grains) {
             places.locate(mesh_, locator_, grains.domain(), kept.particles);
             const GrainTable table = sample(lane.team(), places, std::size_t(kept.particles.owned), told, vorticity);
             exchange_.revise(kept.particles, table, fractions_at(places, kept.particles, fraction));
             grains.particles = kept.particles;
             grains.history = kept.history;
-            exchange_.load(grains.particles, table, drive_of(clock), {clock.dt, grains.step(), 1.0 - clock.memory()});
+            exchange_.load(grains.particles, table, drive_of(clock, drive), {clock.dt, grains.step(), 1.0 - clock.memory()});
         },
-        reads(fields_.told, fields_.vorticity, halo(fields_.fraction, 1), clock_), updates(kept_, places_, grains_));
+        reads(fields_.told, fields_.vorticity, halo(fields_.fraction, 1), clock_, fluid_.drive()), updates(kept_, places_, grains_));
 }
 
 std::vector<double> CoupledStep::fractions_at(const GrainPlaces& places, const core::ParticleSet& grains,
@@ -235,13 +237,25 @@ void CoupledStep::declare_owed(tasks::StageGraph& graph)
     graph.whole(
         "owe grains",
         [this](tasks::Lane& lane, const core::FieldBatch<told_views>& told, const core::FieldBatch<grain_news>& news,
-               const GrainPlaces& places, const GrainHolds& holds, const FluidClock& clock, ParticleDynamics& grains) {
+               const GrainPlaces& places, const GrainHolds& holds, const FluidClock& clock, const DriveState& drive,
+               ParticleDynamics& grains) {
             const auto count = std::size_t(grains.particles.owned);
-            const GrainTable before = sample(lane.team(), places, count, told), after = sample(lane.team(), places, count, news);
+            const GrainTable before = sample(lane.team(), places, count, told);
+            GrainTable after = sample(lane.team(), places, count, news);
+            add_correction(drive, after);
             exchange_.owe(grains.particles, {before, holds, clock.dt}, after);
         },
-        reads(f.told, f.news, places_, holds_, clock_), updates(grains_));
+        reads(f.told, f.news, places_, holds_, clock_, fluid_.drive()), updates(grains_));
     graph.sink(grains_);
+}
+
+/// What the drive was found to be beyond what grains were told pushes them like the pressure.
+void CoupledStep::add_correction(const DriveState& drive, GrainTable& views) const
+{
+    if (drive.correction == 0) return;
+    const core::Vec3 force = fluid_.parameters().density * drive.correction * drive_direction(fluid_.parameters().drive);
+    for (int a = 0; a < 3; ++a)
+        for (double& x : views[view_pressure_force + std::size_t(a)]) x += force[a];
 }
 
 } // namespace physics

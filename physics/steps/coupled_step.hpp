@@ -115,8 +115,15 @@ private:
     [[nodiscard]] bool tells_stress(Pass pass) const { return viscous() && pass == Pass::last; }
     [[nodiscard]] std::vector<double> fractions_at(const GrainPlaces& places, const core::ParticleSet& grains,
                                                    const core::ScalarField& fraction) const;
-    [[nodiscard]] core::Vec3 drive_of(const FluidClock& clock) const;
-    [[nodiscard]] FluidOwn own(CellVectors velocity, CellVectors advected, CellVectors pressure_gradient, const FluidClock& clock) const;
+    /// What the step begins with and the grains are told [m/s2].
+    [[nodiscard]] core::Vec3 drive_of(const FluidClock& clock, const DriveState& state) const;
+    void add_correction(const DriveState& drive, GrainTable& views) const;
+    /// Time and drive of a step.
+    struct StepDrive {
+        const FluidClock& clock;
+        const DriveState& state;
+    };
+    [[nodiscard]] FluidOwn own(CellVectors velocity, CellVectors advected, CellVectors pressure_gradient, const StepDrive& at) const;
     [[nodiscard]] const core::BlockGeometry& geometry(core::LocalBlock b) const { return mesh_.geometry(b); }
 
     const core::Mesh& mesh_;

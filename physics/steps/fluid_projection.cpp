@@ -25,6 +25,10 @@ void FluidStep::declare_projection(tasks::StageGraph& graph)
             return pressure_system_.solve(lane, {outflow, throughput, 1.0 - clock.memory()}, psi);
         },
         reads(fields_.outflow, fields_.throughput, clock_), writes(fields_.psi));
+    if (flow_control_) {
+        flow_control_->declare_correction(graph, {fields_.throughput, fields_.psi, fields_.predicted_flux, clock_, drive_, 1.0});
+        flow_control_->declare_gain(graph, fields_.predicted, drive_);
+    }
     declare_correction(graph);
 }
 
@@ -142,7 +146,7 @@ void FluidStep::declare_budget(tasks::StageGraph& graph)
         "momentum budget",
         [this](LocalBlock b, Vectors u, Vectors before, Vectors source, Vectors advected, Vectors gp, Vectors predicted,
                Vectors psi_gradient, View<const double> pressure, View<const double> impulse, FaceView<const double> carrier,
-               const FaceFactors& factors, const FluidClock& clock, MomentumBudget& budget) {
+               const FaceFactors& factors, const FluidClock& clock, const DriveState& drive, MomentumBudget& budget) {
             const auto sum = [&](Vectors q) { return volume_sum(geometry(b), q); };
             const double dt = clock.dt, per_density = dt / parameters_.density, implicit = clock.implicit_share();
             const double volume = sum_cells([](double v) { return v; }, geometry(b).volume.view());
@@ -150,7 +154,7 @@ void FluidStep::declare_budget(tasks::StageGraph& graph)
             budget.after = sum(u);
             budget.through = dt * through_flow(geometry(b), walls_of(b), carrier, before);
             budget.advection = sum(advected) - sum(source) - budget.through;
-            budget.drive = dt * volume * mean_acceleration(parameters_.drive, clock.drive, clock.time, dt);
+            budget.drive = dt * volume * mean_acceleration(parameters_.drive, drive, clock.time, dt);
             budget.pressure =
                 per_density * wall_push(geometry(b), walls_of(b), pressure, 1) + wall_push(geometry(b), walls_of(b), impulse, 0);
             budget.gradient = -per_density * sum(gp) - sum(psi_gradient) - budget.pressure;
@@ -159,7 +163,7 @@ void FluidStep::declare_budget(tasks::StageGraph& graph)
                                 implicit * wall_friction(geometry(b), walls_of(b), predicted, factors));
         },
         reads(state_.velocity, state_.velocity_before, f.source, f.advected, f.pressure_gradient, f.predicted, f.psi_gradient,
-              state_.pressure, f.psi, state_.flux, f.viscosity_ratio, clock_),
+              state_.pressure, f.psi, state_.flux, f.viscosity_ratio, clock_, drive_),
         writes(budget_));
     graph.sink(budget_, "budget");
 }

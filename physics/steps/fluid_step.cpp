@@ -23,12 +23,16 @@ FluidStep::FluidStep(const core::Mesh& mesh, const core::Communicator& ranks, ta
       state_(mesh),
       fields_(mesh),
       clock_("fluid clock", state_.clock),
+      drive_("drive", state_.clock.drive),
       pressure_system_(system_context(), ranks, parameters.tolerances),
       budget_("momentum budget", std::size_t(mesh.own_count()))
 {
     require_balance(ranks);
     if (parameters_.viscosity > 0)
         viscosity_system_ = std::make_unique<ViscositySystem>(system_context(), pressure_system_.layout(), parameters_.tolerances);
+    if (const auto* flow = std::get_if<FlowDrive>(&parameters_.drive))
+        flow_control_ =
+            std::make_unique<FlowControl>(system_context(), *flow, pressure_system_, parameters_.tolerances, parameters_.viscosity);
     for (const core::BlockId b : mesh.own()) singular_axes_.push_back(singular_axes(mesh.topology(), b));
     state_.velocity.allocate();
     state_.velocity_before.allocate();
@@ -59,6 +63,7 @@ void FluidStep::declare(tasks::StageGraph& graph)
 {
     const auto lane = graph.lane("fluid");
     declare_boundaries(graph);
+    declare_expected_drive(graph);
     declare_pressure_gradient(graph);
     if (viscosity_system_) {
         declare_velocity_gradients(graph);
@@ -67,6 +72,11 @@ void FluidStep::declare(tasks::StageGraph& graph)
     declare_transport(graph);
     declare_predictor(graph);
     declare_projection(graph);
+}
+
+void FluidStep::declare_expected_drive(tasks::StageGraph& graph)
+{
+    if (flow_control_) flow_control_->declare_expected(graph, state_.flux, clock_, drive_);
 }
 
 void FluidStep::declare_pressure_gradient(tasks::StageGraph& graph)
@@ -93,17 +103,18 @@ void FluidStep::declare_predictor(tasks::StageGraph& graph)
     declare_advection(graph);
     graph.each_block(
         "predict velocity",
-        [this](LocalBlock, Vectors advected, Vectors gp, const FluidClock& clock, VectorView<double> predicted) {
-            const core::Vec3 drive = mean_acceleration(parameters_.drive, clock.drive, clock.time, clock.dt);
+        [this](LocalBlock, Vectors advected, Vectors gp, const FluidClock& clock, const DriveState& state, VectorView<double> predicted) {
+            const core::Vec3 drive = expected_acceleration(parameters_.drive, state, clock.time, clock.dt);
             const double half = 0.5 * clock.dt / parameters_.density;
             for (int c = 0; c < 3; ++c)
                 map_cells(
                     predicted.component(c), [half, gain = clock.dt * drive[c]](double u, double g) { return u + (gain - half * g); },
                     advected.component(c), gp.component(c));
         },
-        reads(f.advected, f.pressure_gradient, clock_), writes(f.predicted));
+        reads(f.advected, f.pressure_gradient, clock_, drive_), writes(f.predicted));
     declare_viscous_guess(graph);
     declare_implicit_viscosity(graph);
+    if (flow_control_) flow_control_->declare_response(graph, f.viscosity_ratio, clock_);
 }
 
 void FluidStep::declare_boundaries(tasks::StageGraph& graph)

@@ -7,6 +7,7 @@
 //   u   = u* - (dt / rho) grad dp,  p = p + dp,                     p in the middle of the step
 #include "physics/fluid/momentum_budget.hpp"
 #include "physics/fluid/state.hpp"
+#include "physics/steps/flow_control.hpp"
 #include "physics/steps/fluid_fields.hpp"
 #include "physics/steps/pressure_system.hpp"
 #include "physics/steps/viscosity_system.hpp"
@@ -27,6 +28,8 @@ public:
     void declare_boundaries(tasks::StageGraph& graph);
     /// Gradient of the pressure of the old state.
     void declare_pressure_gradient(tasks::StageGraph& graph);
+    /// What a prescribed flow is expected to need.
+    void declare_expected_drive(tasks::StageGraph& graph);
     /// Gradients of the components of the present velocity.
     void declare_velocity_gradients(tasks::StageGraph& graph);
     /// Viscous acceleration of the present velocity, from its gradients.
@@ -69,6 +72,11 @@ public:
     [[nodiscard]] const PressureSystem& pressure_system() const { return pressure_system_; }
     [[nodiscard]] const ViscositySystem* viscosity_system() const { return viscosity_system_.get(); }
     [[nodiscard]] const tasks::PerBlock<MomentumBudget>& budget() const { return budget_; }
+    /// What the drive remembers, as a resource of stages.
+    [[nodiscard]] tasks::Part<DriveState>& drive() { return drive_; }
+    /// None unless the flow is prescribed.
+    [[nodiscard]] FlowControl* flow_control() { return flow_control_.get(); }
+    [[nodiscard]] const FlowControl* flow_control() const { return flow_control_.get(); }
     /// What other systems of equations on the same mesh refer to.
     [[nodiscard]] SystemContext system_context() const;
 
@@ -93,8 +101,10 @@ private:
     FluidState state_;
     FluidFields fields_;
     tasks::Part<FluidClock> clock_;
+    tasks::Part<DriveState> drive_;
     PressureSystem pressure_system_;
     std::unique_ptr<ViscositySystem> viscosity_system_; ///< none without viscosity
+    std::unique_ptr<FlowControl> flow_control_;
     tasks::PerBlock<MomentumBudget> budget_;
 };
 

@@ -72,6 +72,27 @@ tasks::Job PressureSystem::solve(tasks::Lane& lane, const core::FaceField& mobil
     co_await solve_loaded(lane, fluxes, change);
 }
 
+tasks::Job PressureSystem::solve_again(tasks::Lane& lane, FluxesToProject fluxes, core::ScalarField& psi)
+{
+    const int before = report_.iterations;
+    co_await solve_loaded(lane, fluxes, psi);
+    report_.iterations += before;
+}
+
+tasks::Job PressureSystem::take_off(tasks::Lane& lane, const core::ScalarField& psi, core::FaceField& flux)
+{
+    unknown_.for_blocks(lane, [&](core::LocalBlock b) {
+        map_cells(
+            solver_.layout().view(b, solution_), [](double x) { return x; }, psi.on(b));
+    });
+    co_await unknown_.form_fluxes(lane, std::nullopt, solution_);
+    unknown_.for_blocks(lane, [&](core::LocalBlock b) {
+        if (mobility_) scale_by_mobility(mobility_->on(b), unknown_.flux.on(b));
+        map_faces(
+            flux.on(b), [](double f, double g) { return f - g; }, flux.on(b), unknown_.flux.on(b));
+    });
+}
+
 tasks::Job PressureSystem::solve_loaded(tasks::Lane& lane, FluxesToProject fluxes, core::ScalarField& psi)
 {
     co_await norms_.gather(lane, fluxes.outflow, fluxes.throughput);

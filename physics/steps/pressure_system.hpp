@@ -30,6 +30,11 @@ public:
     /// @param[out] change  Interior [Pa].
     tasks::Job solve(tasks::Lane& lane, const core::FaceField& mobility, FluxesToProject fluxes, core::ScalarField& change);
 
+    /// The same for further fluxes of the step, with the mobility of the last solve; their iterations add to those in its report.
+    tasks::Job solve_again(tasks::Lane& lane, FluxesToProject fluxes, core::ScalarField& psi);
+    /// flux -= mobility * compact flux of grad psi, with the mobility of the last solve.
+    tasks::Job take_off(tasks::Lane& lane, const core::ScalarField& psi, core::FaceField& flux);
+
     [[nodiscard]] const KrylovReport& report() const { return report_; }
     [[nodiscard]] const BlockLayout& layout() const { return solver_.layout(); }
 

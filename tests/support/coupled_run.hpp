@@ -43,7 +43,7 @@ inline constexpr std::array every_mode{io::CouplingMode::pipelined, io::Coupling
     scene.grid.periodic = box.periodic;
     scene.fluid.emplace();
     scene.fluid->material = {"water", 1000.0, box.viscosity};
-    if (box.pressure_gradient != 0) scene.fluid->drive = io::Drive{box.pressure_gradient, io::Axis::x, {}, {}};
+    if (box.pressure_gradient != 0) scene.fluid->drive.emplace().pressure_gradient = box.pressure_gradient;
     if (box.gravity.norm() > 0) scene.gravity = io::Gravity{box.gravity.normalized(), box.gravity.norm()};
     io::Species species;
     species.name = "grains";

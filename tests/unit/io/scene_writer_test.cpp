@@ -42,7 +42,13 @@ TEST_CASE("every value survives the resolved text")
     scene.fluid->material.name = "null";
     scene.fluid->boundaries = {{"y_low", io::BoundaryKind::slip, {}, {}},
                                {"y_high", io::BoundaryKind::wall, core::Vec3(0.1, 0, 1.0 / 3.0), {}}};
-    scene.fluid->drive = io::Drive{-3.0, io::Axis::z, 2.5, {}};
+    scene.fluid->drive.emplace();
+    scene.fluid->drive->pressure_gradient = -3.0;
+    scene.fluid->drive->axis = io::Axis::z;
+    scene.fluid->drive->over_time.emplace();
+    scene.fluid->drive->over_time->table = {{-1.0, 0.1}, {1.0 / 3.0, 0.2}};
+    scene.fluid->drive->over_time->between = io::BetweenPoints::cubic;
+    scene.fluid->drive->over_time->beyond = io::BeyondTable::hold;
     scene.gravity = io::Gravity{core::Vec3(1, 2, -2) / 3.0, 1.62};
     scene.particles.push_back({"-5", 3, 1e-3, 2500.0, {}});
     scene.particles[1].initial = {io::Arrangement::packed, core::Vec3(0.02, 0.02, 0.02), core::Vec3(0.03, 0.04, 0.05),

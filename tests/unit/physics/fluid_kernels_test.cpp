@@ -80,7 +80,7 @@ TEST_CASE("mirrored velocity has the wall's value in the middle, also in a block
 
 TEST_CASE("the impulse of a harmonic drive is the integral of its acceleration")
 {
-    const physics::Drive drive = physics::HarmonicDrive{Vec3(3, 0, 0), 2.0, 0.4};
+    const physics::Drive drive = physics::harmonic_drive(Vec3(3, 0, 0), 2.0, 0.4);
     const double t = 0.7, dt = 0.9;
     const double exact = 3 / 2.0 * (std::sin(2 * (t + dt) + 0.4) - std::sin(2 * t + 0.4));
     CHECK(dt * physics::mean_acceleration(drive, {}, t, dt).x() == test::relative(exact).epsilon(1e-14));

@@ -118,7 +118,7 @@ TEST_CASE("half a channel with a plane of symmetry flows as the lower half of th
         return core::make_box(box);
     };
     auto p = water();
-    p.drive = physics::HarmonicDrive{{5.0, 0, 0}, 2 * std::numbers::pi / 0.2};
+    p.drive = physics::harmonic_drive({5.0, 0, 0}, 2 * std::numbers::pi / 0.2);
     test::FluidRun whole(upright(height, 2), p);
     p.boundaries["y_high"] = {.kind = BoundaryKind::symmetry};
     test::FluidRun half(upright(height / 2, 1), p);
@@ -156,7 +156,7 @@ TEST_CASE("the momentum that flows through boundaries is in the books")
 TEST_CASE("a flow that turns back through an outflow does not feed on itself")
 {
     auto p = water(1e-6);
-    p.drive = physics::HarmonicDrive{turned({8.0, 0, 0}), 2 * std::numbers::pi / 0.2};
+    p.drive = physics::harmonic_drive(turned({8.0, 0, 0}), 2 * std::numbers::pi / 0.2);
     p.boundaries["x_low"] = {.kind = BoundaryKind::outflow};
     p.boundaries["x_high"] = {.kind = BoundaryKind::outflow};
     test::FluidRun run(channel(16), p);

@@ -15,7 +15,7 @@ std::unique_ptr<test::FluidRun> swaying(const tasks::ExecutorOptions& executor, 
     physics::FluidParameters water;
     water.viscosity = 1e-6;
     water.tolerances.pressure = 1e-9;
-    water.drive = physics::HarmonicDrive{Vec3(4, 0, 0), std::numbers::pi, 0.0};
+    water.drive = physics::harmonic_drive(Vec3(4, 0, 0), std::numbers::pi, 0.0);
     const test::Carried carried{.turbulence = physics::TurbulenceParameters{physics::turbulence_of(1.0, 0.05, 1e-3), {}, 0.0}};
     auto run = std::make_unique<test::FluidRun>(test::pipe_across(16, 0.06, 4, 2), water, executor, ranks, carried);
     run->start([](const Vec3& x) { return Vec3(0.2 * (1 + 0.1 * std::sin(100 * x.x())), 0, 0); });

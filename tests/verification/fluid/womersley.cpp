@@ -16,7 +16,7 @@ double profile_error(int across, double alpha, int steps)
 {
     physics::FluidParameters water;
     water.viscosity = 1 / (alpha * alpha);
-    water.drive = physics::HarmonicDrive{core::Vec3::UnitX(), 1.0, 0.0};
+    water.drive = physics::harmonic_drive(core::Vec3::UnitX(), 1.0, 0.0);
     test::FluidRun run(test::pipe_across(across, 2.0, 2, 1), water);
     const auto solution = [&](double time) {
         return [=](const core::Vec3& x) { return core::Vec3(exact(alpha, std::hypot(x.y(), x.z()), time), 0, 0); };
@@ -50,7 +50,7 @@ TEST_CASE("the profile is second order in time")
     const auto axial = [](int steps) {
         physics::FluidParameters water;
         water.viscosity = 0.04;
-        water.drive = physics::HarmonicDrive{core::Vec3::UnitX(), 1.0, 0.0};
+        water.drive = physics::harmonic_drive(core::Vec3::UnitX(), 1.0, 0.0);
         test::FluidRun run(test::pipe_across(12, 2.0, 2, 1), water);
         run.start([](const core::Vec3& x) { return core::Vec3(exact(5, x.tail<2>().norm(), 0), 0, 0); });
         for (int n = 0; n < steps; ++n) run.step(4.0 / steps);

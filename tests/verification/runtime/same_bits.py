@@ -7,6 +7,7 @@ same_bits.py ISAGO [--long] [--case NAME]: runs scenes in many ways and compares
 import argparse
 import dataclasses
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -49,6 +50,10 @@ def cases(long):
     few = ["particles.S.count=10", "particles.L.count=5", "run.settle=0 ms", "coupling.mode=concurrent"]
     all_cases = {"pipe": Case(pipe_file, pipe, 1, 2), "coarse": Case(pipe_file, [*pipe, "coupling.mode=coarse"], 1, 2),
                  "few": Case(pipe_file, [*pipe, *few], 1, 2), "dry": Case(DRY_BED, [], 4, 8)}
+    # The same pipe, its flow prescribed: keys of a drive exclude each other, so the text has another one.
+    text = pathlib.Path(pipe_file, "scene.yaml").read_text()
+    drive = "drive: { bulk_velocity: 0.5 m/s, over_time: { frequency: 40 Hz, mean: 1, amplitude: 0.5 } }"
+    all_cases["flow"] = Case(re.sub(r"drive: *\{[^{}]*\{[^{}]*\}[^{}]*\}", drive, text), pipe, 1, 2)
     if long:
         seed = ["grid.pipe.size=small", "run.settle=50 ms", *QUIET]  # all 1,600 grains, time step by its limits, past a reversal
         all_cases["seed"] = Case(pipe_file, seed, 30, 60)

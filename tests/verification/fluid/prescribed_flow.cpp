@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+// ctest: timeout=300
+// A flow that is prescribed: the pressure gradient that a step finds against exact solutions.
+#include "core/grid/stepped_channel.hpp"
+#include "physics/fluid/section_flow.hpp"
+#include "physics/fluid/womersley.hpp"
+#include "tests/support/fluid_run.hpp"
+#include "tests/support/relative.hpp"
+#include <complex>
+#include <doctest/doctest.h>
+
+namespace {
+
+using core::Vec3;
+using std::numbers::pi;
+
+double flow(const test::FluidRun& run)
+{
+    const physics::SectionFlow section(run.mesh(), Vec3::UnitX());
+    return core::sum_over_blocks(run.mesh(), core::Communicator::world(),
+                                 [&](core::LocalBlock b) { return section.through(b, run.fluid().state().flux.on(b)); });
+}
+
+/// Acceleration that the last step has found [m/s2].
+double found(const test::FluidRun& run)
+{
+    const physics::DriveState& drive = run.fluid().state().clock.drive;
+    return drive.expected + drive.correction;
+}
+
+physics::FluidParameters prescribed(double rate, double viscosity, const physics::TimeCourse& course = physics::SteadyCourse{})
+{
+    physics::FluidParameters water;
+    water.viscosity = viscosity;
+    water.drive = physics::FlowDrive{Vec3::UnitX(), rate, course};
+    return water;
+}
+
+} // namespace
+
+TEST_CASE("laminar flow at a prescribed rate in a pipe needs 8 mu Q / (pi R^4)")
+{
+    const auto error = [](int across) {
+        test::FluidRun run(test::pipe_across(across, 2.0, 4, 2), prescribed(pi, 0.5));
+        run.start([](const Vec3&) { return Vec3::Zero().eval(); });
+        for (int n = 0; n < 80; ++n) run.step(0.1); // sixteen R^2 / nu in which the start is forgotten as exp(-5.78 nu t / R^2)
+        // The flux through the section to the solver's tolerance, whose rest is summed over the faces of a section.
+        CHECK(flow(run) == test::relative(pi).epsilon(1e-9));
+        const double exact = 8 * 0.5 * pi / pi;
+        MESSAGE(across, " cells: gradient ", found(run), " of ", exact);
+        return std::abs(found(run) / exact - 1);
+    };
+    const double coarse = error(12), fine = error(24);
+    CHECK(fine < 0.01);
+    CHECK(std::log2(coarse / fine) > 1.8);
+}
+
+namespace {
+
+/// Prescribed is the flow of Womersley's solution under P cos t, R = 1; found must be P cos t.
+struct Harmonic {
+    double alpha;
+    [[nodiscard]] physics::WomersleyFlow exact() const { return physics::WomersleyFlow({1.0, 1 / (alpha * alpha), 1.0, 1.0}); }
+    [[nodiscard]] physics::FluidParameters parameters(double area) const
+    {
+        const std::complex<double> mean = exact().mean_amplitude();
+        return prescribed(area * std::abs(mean), 1 / (alpha * alpha), physics::HarmonicCourse{0, 1, 1, std::arg(mean)});
+    }
+    [[nodiscard]] test::VectorFunction velocity(double time) const
+    {
+        return [flow = exact(), time](const Vec3& x) { return Vec3(flow.velocity(std::hypot(x.y(), x.z()), time), 0, 0); };
+    }
+};
+
+/// Root mean square of (gradient found - P cos t at mid-step) over a period, P = 1, and the error of the profile at its end.
+std::array<double, 2> womersley_errors(int across, double alpha, int steps)
+{
+    const Harmonic harmonic{alpha};
+    const auto grid = test::pipe_across(across, 2.0, 2, 1);
+    const double area = core::Mesh(grid, 0, 1).total_volume() / 2.0;
+    test::FluidRun run(grid, harmonic.parameters(area));
+    run.start(harmonic.velocity(0));
+    run.fluid().state().clock.steps_since_jump = 2; // the exact start is no jump
+    const double dt = 2 * pi / steps;
+    double sum = 0;
+    for (int n = 0; n < steps; ++n) {
+        run.step(dt);
+        const double exact = (std::sin((n + 1) * dt) - std::sin(n * dt)) / dt; // mean over the step
+        if (n >= steps / 2) sum += std::pow(found(run) - exact, 2) / (steps - steps / 2);
+    }
+    const std::array<double, 2> errors{std::sqrt(sum), run.velocity_error(harmonic.velocity(run.time()))};
+    MESSAGE("alpha ", alpha, ", ", across, " cells, ", steps, " steps: gradient ", errors[0], ", velocity ", errors[1]);
+    return errors;
+}
+
+} // namespace
+
+TEST_CASE("a harmonic flow in a pipe needs the gradient of Womersley's impedance, at second order")
+{
+    const auto coarse = womersley_errors(16, 5, 80), fine = womersley_errors(32, 5, 160);
+    CHECK(fine[0] < 0.005);
+    CHECK(std::log2(coarse[0] / fine[0]) > 1.8);
+    CHECK(std::log2(coarse[1] / fine[1]) > 1.8);
+}
+
+TEST_CASE("gradient and velocity at a prescribed flow are second order in time")
+{
+    const auto end = [](int steps) {
+        const Harmonic harmonic{5};
+        test::FluidRun run(test::pipe_across(12, 2.0, 2, 1), harmonic.parameters(pi));
+        run.start(harmonic.velocity(0));
+        // The gradient of a step is its mean: that of the last two is the one in between, whatever their length.
+        double before = 0;
+        for (int n = 0; n < steps; ++n) {
+            before = found(run);
+            run.step(4.0 / steps);
+        }
+        return std::array{1.5 * found(run) - 0.5 * before, run.velocity(0, 1, 1, 0).x()};
+    };
+    const auto coarse = end(20), middle = end(40), fine = end(80);
+    for (std::size_t n = 0; n < 2; ++n) CHECK(std::log2(std::abs((coarse[n] - middle[n]) / (middle[n] - fine[n]))) > 1.8);
+}
+
+namespace {
+
+/// A channel with a trench, whose points do not match where it begins and ends.
+core::MultiBlock trench()
+{
+    core::SteppedChannel channel;
+    channel.shallow_length = channel.deep_length = 1.0;
+    channel.height = channel.step = 0.5;
+    channel.width = 0.25;
+    channel.cells_along = {8, 8};
+    channel.cells_up = {4, 4};
+    channel.cells_across = 2;
+    channel.deep_cells_up = 6;
+    channel.periodic_along = channel.periodic_across = true;
+    return core::make_stepped_channel(channel);
+}
+
+} // namespace
+
+TEST_CASE("in a channel with a trench the flow is exact in every step, books close, and the gradient found makes the same flow")
+{
+    constexpr double rate = 0.05, viscosity = 0.02, dt = 0.1;
+    test::FluidRun run(trench(), prescribed(rate, viscosity));
+    run.start([](const Vec3&) { return Vec3::Zero().eval(); });
+    double deviation = 0, defect = 0;
+    for (int n = 0; n < 150; ++n) {
+        run.step(dt);
+        deviation = std::max(deviation, std::abs(flow(run) / rate - 1));
+        defect = std::max(defect, run.budget().defect().norm() / run.budget().drive.norm());
+    }
+    MESSAGE("flow ", deviation, ", books ", defect, ", acceleration ", found(run));
+    CHECK(deviation < 1e-6); // the solver's tolerance here
+    CHECK(defect < 1e-7);    // that of the viscosity
+    physics::FluidParameters given = prescribed(0, viscosity);
+    given.drive = physics::ConstantDrive{found(run) * Vec3::UnitX()};
+    test::FluidRun other(trench(), given);
+    other.start([](const Vec3&) { return Vec3::Zero().eval(); });
+    for (int n = 0; n < 300; ++n) other.step(dt);
+    CHECK(flow(other) == test::relative(rate).epsilon(1e-4)); // both are that far from their steady states
+}
+
+TEST_CASE("a prescribed flow that is reached already needs no gradient without friction, and one that grows needs its rate")
+{
+    core::MultiBlock box = core::make_box({{0, 0, 0}, {2, 1, 1}, {8, 4, 4}, {1, 1, 1}, {true, true, true}});
+    const physics::TimeCourse growing =
+        physics::TableCourse({{0, 1}, {1, 1}, {3, 5}}, physics::TableCourse::Between::linear, physics::TableCourse::Beyond::hold);
+    test::FluidRun run(std::move(box), prescribed(0.3, 0, growing));
+    run.start([](const Vec3&) { return Vec3(0.3, 0, 0); });
+    for (int n = 0; n < 4; ++n) {
+        run.step(0.25);
+        CHECK(std::abs(found(run)) < 1e-14); // round-off of 0.3 m/s over the step
+    }
+    for (int n = 0; n < 4; ++n) {
+        run.step(0.25);
+        CHECK(found(run) == test::relative(0.6).epsilon(1e-13));
+    }
+}

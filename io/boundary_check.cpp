@@ -16,8 +16,17 @@ void check_keys(const Boundary& boundary, const std::string& path, const Locatio
 {
     const auto kind = boundary_kind_words[std::size_t(boundary.kind)];
     const bool with_velocity = boundary.kind == BoundaryKind::wall || boundary.kind == BoundaryKind::inflow;
-    if (boundary.kind == BoundaryKind::inflow && !locations.given(path + ".velocity"))
+    const bool inflow = boundary.kind == BoundaryKind::inflow, by_points = !boundary.profile_file.empty();
+    if (inflow && !by_points && !locations.given(path + ".velocity"))
         problems.add(locations.at(path), "an inflow needs 'velocity'", "add velocity: [0.1 m/s, 0 m/s, 0 m/s]");
+    if (by_points && (boundary.velocity || boundary.profile))
+        problems.add(locations.at(path + ".profile_file"), "'profile_file' excludes 'velocity' and 'profile'", "keep one of them");
+    for (const auto& [key, given] : {std::pair{"profile", boundary.profile.has_value()}, {"profile_file", by_points}})
+        if (given && !inflow)
+            problems.add(locations.at(path + "." + key), fmt::format("'{}' means nothing for kind: {}", key, kind),
+                         "remove it, or write kind: inflow");
+    if (boundary.over_time && !with_velocity)
+        problems.add(locations.at(path + ".over_time"), fmt::format("'over_time' means nothing for kind: {}", kind), "remove it");
     if (boundary.velocity && !with_velocity)
         problems.add(locations.at(path + ".velocity"), fmt::format("'velocity' means nothing for kind: {}", kind), "remove it");
     if (boundary.pressure && !physics::gives_pressure(boundary.kind))
@@ -75,6 +84,12 @@ void check_boundaries(const Scene& scene, const Locations& locations, Problems& 
         if (std::any_of(all.begin(), all.begin() + std::ptrdiff_t(n), [&](const Boundary& b) { return b.at == all[n].at; }))
             problems.add(locations.at(path + ".at"), fmt::format("'{}' is given twice", all[n].at), "keep one of the two");
         check_keys(all[n], path, locations, problems);
+        if (all[n].over_time) {
+            if (locations.good("run.until")) check_course(*all[n].over_time, path + ".over_time", scene.run.until, locations, problems);
+            if (!scene.particles.empty())
+                problems.add(locations.at(path + ".over_time"), "particles beside walls that change in time cannot be computed yet",
+                             "remove it, or leave the particles out");
+        }
         const bool open = all[n].kind == BoundaryKind::inflow || physics::gives_pressure(all[n].kind);
         if (open && !scene.particles.empty())
             problems.add(locations.at(path + ".kind"), "particles beside boundaries that fluid flows through cannot be computed yet",

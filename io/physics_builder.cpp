@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #include "io/physics_builder.hpp"
+#include "io/table_file.hpp"
+#include "physics/fluid/flow_shape.hpp"
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,6 +12,13 @@ namespace io {
 namespace {
 
 core::Vec3 unit_of(Axis axis) { return core::Vec3::Unit(axis == Axis::y ? 1 : axis == Axis::z ? 2 : 0); }
+
+std::vector<physics::VelocityPoint> velocity_points(const std::string& file)
+{
+    std::vector<physics::VelocityPoint> points;
+    for (const auto& row : read_table_file(file, 6)) points.push_back({{row[0], row[1], row[2]}, {row[3], row[4], row[5]}});
+    return points;
+}
 
 physics::Drive drive_of(const Drive& drive, double density)
 {
@@ -26,6 +35,27 @@ physics::Drive drive_of(const Drive& drive, double density)
     return physics::ConstantDrive{acceleration};
 }
 
+physics::BoundaryCondition condition_of(const Boundary& boundary)
+{
+    physics::BoundaryCondition c{.kind = boundary.kind,
+                                 .velocity = boundary.velocity.value_or(core::Vec3::Zero()),
+                                 .laminar = boundary.profile == InflowProfile::laminar,
+                                 .pressure = boundary.pressure.value_or(0.0)};
+    if (!boundary.profile_file.empty()) c.profile = physics::interpolated_velocity(velocity_points(boundary.profile_file));
+    if (boundary.over_time) c.course = course_of(*boundary.over_time);
+    return c;
+}
+
+/// Speed that the turbulence of an inflow refers to: of points, the root of the mean square.
+double inflow_speed(const Boundary& boundary)
+{
+    if (boundary.profile_file.empty()) return boundary.velocity.value_or(core::Vec3::Zero()).norm();
+    const auto points = velocity_points(boundary.profile_file);
+    double sum = 0;
+    for (const auto& point : points) sum += point.velocity.squaredNorm();
+    return std::sqrt(sum / double(points.size()));
+}
+
 } // namespace
 
 physics::FluidParameters fluid_parameters(const Scene& scene)
@@ -33,9 +63,7 @@ physics::FluidParameters fluid_parameters(const Scene& scene)
     physics::FluidParameters p;
     p.density = scene.fluid->material.density;
     p.viscosity = scene.fluid->material.viscosity;
-    for (const Boundary& boundary : scene.fluid->boundaries)
-        p.boundaries[boundary.at] = {
-            .kind = boundary.kind, .velocity = boundary.velocity.value_or(core::Vec3::Zero()), .pressure = boundary.pressure.value_or(0.0)};
+    for (const Boundary& boundary : scene.fluid->boundaries) p.boundaries[boundary.at] = condition_of(boundary);
     if (scene.fluid->drive) p.drive = drive_of(*scene.fluid->drive, p.density);
     p.tolerances.pressure = scene.solver.tolerance;
     return p;
@@ -63,7 +91,7 @@ physics::TurbulenceParameters turbulence_parameters(const Scene& scene)
     p.roughness = keys.roughness;
     for (const Boundary& boundary : scene.fluid->boundaries)
         if (boundary.kind == BoundaryKind::inflow) {
-            const double speed = boundary.velocity.value_or(core::Vec3::Zero()).norm();
+            const double speed = inflow_speed(boundary);
             p.entering[boundary.at] = physics::turbulence_of(speed, keys.intensity, length);
             fastest = std::max(fastest, speed);
         }

@@ -145,12 +145,18 @@ struct Material {
     bool operator==(const Material&) const = default;
 };
 
+enum class InflowProfile { uniform, laminar };
+inline constexpr std::array<std::string_view, 2> inflow_profile_words{"uniform", "laminar"};
+
 /// What holds on one boundary of the grid.
 struct Boundary {
     std::string at; ///< Name of the boundary.
     BoundaryKind kind = BoundaryKind::wall;
-    std::optional<core::Vec3> velocity; ///< Of a wall that moves, or of what flows in [m/s].
-    std::optional<double> pressure;     ///< Where it is given; 0 without it [Pa].
+    std::optional<core::Vec3> velocity;   ///< Of a wall that moves, or of what flows in [m/s].
+    std::optional<double> pressure;       ///< Where it is given; 0 without it [Pa].
+    std::optional<InflowProfile> profile; ///< Of an inflow whose mean is `velocity`; uniform without it.
+    std::string profile_file;             ///< Points instead of `velocity`; absolute once the scene is read.
+    std::optional<CourseKeys> over_time;
     bool operator==(const Boundary&) const = default;
 };
 

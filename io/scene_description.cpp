@@ -73,7 +73,13 @@ static void describe(Schema& s, Boundary& p)
             "is given; outflow: the pressure is given, and what flows back was at rest; pressure: it is given, and what flows in keeps its "
             "velocity",
             choice_of(p.kind, boundary_kind_words));
-    s.value("velocity", p.velocity, "m/s", "Of what flows in, or of the wall");
+    s.value("velocity", p.velocity, "m/s", "Of what flows in (with a profile, its mean), or of the wall");
+    s.value("profile",
+            "How what flows in is distributed: uniform, as without it; laminar: as developed laminar flow between the walls at the edge",
+            choice_of(p.profile, inflow_profile_words));
+    s.value("profile_file", p.profile_file, "",
+            "A text file with a point of the inflow on each line, x y z in m and u v w in m/s, instead of the velocity");
+    s.group("over_time", p.over_time, "Makes the velocity change in time: a factor, by a formula or a table");
     s.value("pressure", p.pressure, "Pa", "Where it is given, without the weight of the fluid; 0 without it");
 }
 

@@ -39,8 +39,7 @@ Scene read_scene_tree(Node& root, Mark start, const std::vector<std::string>& ov
     reader.finish();
     const auto folder = std::filesystem::path(start.source->name).parent_path();
     check_grid(scene.grid, folder, locations, problems);
-    if (scene.fluid && scene.fluid->drive && scene.fluid->drive->over_time)
-        read_course_file(*scene.fluid->drive->over_time, "fluid.drive.over_time", folder, locations, problems);
+    if (scene.fluid) read_fluid_files(*scene.fluid, folder, locations, problems);
     check_scene(scene, locations, problems);
     scene.resolve();
     return scene;

@@ -42,6 +42,9 @@ struct SceneReading {
 /// @param folder  That files are relative to.
 void check_grid(Grid& grid, const std::filesystem::path& folder, Locations& locations, Problems& problems);
 
+/// Reads the tables in files that a fluid refers to, and makes other paths absolute.
+void read_fluid_files(Fluid& fluid, const std::filesystem::path& folder, Locations& locations, Problems& problems);
+
 /// Finds mistakes that only several keys together show; says nothing about values that could not be read.
 void check_boundaries(const Scene& scene, const Locations& locations, Problems& problems);
 void check_scene(const Scene& scene, const Locations& locations, Problems& problems);

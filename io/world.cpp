@@ -190,6 +190,7 @@ void World::try_step(tasks::Executor& executor)
 {
     auto& now = clock();
     now.dt = next_step();
+    if (fluid_) fluid_->begin_step();
     if (coupling_) coupling_->sub_steps = sub_steps_;
     const physics::Mode mode = coupling_ ? choose_mode() : planned_mode_;
     (mode == planned_mode_ ? executor : executor_of(mode)).run_step(now.step);

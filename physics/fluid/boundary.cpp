@@ -4,6 +4,7 @@
 #include "core/base/error.hpp"
 #include "core/grid/gradient_matrices.hpp"
 #include "core/grid/hexahedron.hpp"
+#include "physics/fluid/flow_shape.hpp"
 #include "physics/fluid/side_faces.hpp"
 #include <algorithm>
 #include <cmath>
@@ -11,15 +12,17 @@
 namespace physics {
 namespace {
 
-BlockSide make_side(const core::Mesh& mesh, const core::Boundary& boundary, const BoundaryCondition& condition)
+using Profile = std::function<core::Vec3(const core::Vec3&)>;
+
+BlockSide make_side(const core::Mesh& mesh, const core::Boundary& boundary, const BoundaryCondition& condition, const Profile& profile)
 {
     const core::LocalBlock b = mesh.local(boundary.block);
     const auto& geometry = mesh.geometry(b);
-    BlockSide side{condition.kind, SideVectors(condition.velocity), SideVectors(), condition.pressure};
-    if (condition.kind == BoundaryKind::inflow && condition.profile)
+    BlockSide side{condition.kind, SideVectors(condition.velocity), SideVectors(), condition.pressure, condition.course};
+    if (profile)
         side.velocity = {geometry.cells, boundary.side, [&](core::Index3 face) {
                              const auto corners = core::face_corners(mesh.vertices(boundary.block), core::axis_of(boundary.side), face);
-                             return condition.profile(core::face_shape(corners).centre);
+                             return profile(core::face_shape(corners).centre);
                          }};
     if (slips(condition.kind) || condition.kind == BoundaryKind::outflow)
         side.normal = {geometry.cells, boundary.side, [&](core::Index3 face) -> core::Vec3 {
@@ -38,18 +41,45 @@ std::optional<core::GradientMatrices> matrices_with_given_pressure(const core::B
     return core::gradient_matrices(geometry, part);
 }
 
+/// By place, of each boundary that does not have one velocity.
+std::map<std::string, Profile> profiles(const core::Mesh& mesh, const BoundaryConditions& conditions)
+{
+    const auto is_wall = [&](const std::string& name) {
+        const auto said = conditions.find(name);
+        return said == conditions.end() || said->second.kind == BoundaryKind::wall;
+    };
+    std::map<std::string, Profile> all;
+    for (const auto& [name, condition] : conditions) {
+        all[name] = condition.profile;
+        if (condition.laminar)
+            all[name] = [shape = laminar_shape(mesh, name, is_wall), mean = condition.velocity](const core::Vec3& x) -> core::Vec3 {
+                return shape(x) * mean;
+            };
+    }
+    return all;
+}
+
 } // namespace
+
+void set_time(const std::vector<BlockWalls>& full, double time, std::vector<BlockWalls>& walls)
+{
+    for (std::size_t b = 0; b < full.size(); ++b)
+        for (const core::Side s : core::all_sides)
+            if (const BlockSide& side = full[b].at(s); side.varies())
+                walls[b].sides[std::size_t(s)].velocity = side.velocity.scaled(value_at(side.course, time));
+}
 
 std::vector<BlockWalls> make_walls(const core::Mesh& mesh, const BoundaryConditions& conditions)
 {
     std::vector<BlockWalls> walls(std::size_t(mesh.own_count()));
     BoundaryConditions unused = conditions;
+    std::map<std::string, Profile> by_place = profiles(mesh, conditions);
     for (const core::Boundary& boundary : mesh.topology().boundaries) {
         const auto said = conditions.find(boundary.name);
         unused.erase(boundary.name);
         if (const core::LocalBlock b = mesh.local(boundary.block); b >= 0)
             walls[std::size_t(b)].sides[std::size_t(boundary.side)] =
-                make_side(mesh, boundary, said != conditions.end() ? said->second : BoundaryCondition{});
+                make_side(mesh, boundary, said != conditions.end() ? said->second : BoundaryCondition{}, by_place[boundary.name]);
     }
     core::require<core::ConfigError>(unused.empty(),
                                      core::text("no boundary is called '", unused.empty() ? "" : unused.begin()->first, "'"));

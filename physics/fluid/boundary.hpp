@@ -5,6 +5,7 @@
 #include "core/grid/mesh.hpp"
 #include "physics/fluid/boundary_kind.hpp"
 #include "physics/fluid/side_vectors.hpp"
+#include "physics/fluid/time_course.hpp"
 #include <algorithm>
 #include <functional>
 #include <map>
@@ -17,7 +18,9 @@ namespace physics {
 struct BoundaryCondition {
     BoundaryKind kind = BoundaryKind::wall;
     core::Vec3 velocity = core::Vec3::Zero();                       ///< of a wall or an inflow [m/s]
-    std::function<core::Vec3(const core::Vec3&)> profile = nullptr; ///< of an inflow by place [m/s]; instead of `velocity`
+    std::function<core::Vec3(const core::Vec3&)> profile = nullptr; ///< of wall or inflow by place [m/s]; instead of `velocity`
+    bool laminar = false;                                           ///< an inflow distributed by laminar_shape(), its mean `velocity`
+    TimeCourse course = SteadyCourse{};                             ///< factor of the velocity of wall or inflow
     double pressure = 0;                                            ///< where it is given, without that of the drive [Pa]
 };
 
@@ -26,11 +29,13 @@ using BoundaryConditions = std::map<std::string, BoundaryCondition>;
 
 /// One side of a block.
 struct BlockSide {
-    std::optional<BoundaryKind> kind; ///< none: another block lies beyond
-    SideVectors velocity;             ///< of wall or inflow on each face [m/s]
-    SideVectors normal;               ///< outward, of unit length; where walls hold the fluid it is not needed and zero
-    double pressure = 0;              ///< where it is given [Pa]
+    std::optional<BoundaryKind> kind;   ///< none: another block lies beyond
+    SideVectors velocity;               ///< of wall or inflow on each face [m/s]
+    SideVectors normal;                 ///< outward, of unit length; where walls hold the fluid it is not needed and zero
+    double pressure = 0;                ///< where it is given [Pa]
+    TimeCourse course = SteadyCourse{}; ///< factor of the velocity that the scene gives
 
+    [[nodiscard]] bool varies() const { return !std::holds_alternative<SteadyCourse>(course); }
     [[nodiscard]] bool slips() const { return kind && physics::slips(*kind); }
     [[nodiscard]] bool gives_pressure() const { return kind && physics::gives_pressure(*kind); }
     /// Is the flux through it known?
@@ -49,6 +54,11 @@ struct BlockWalls {
 /// One entry for each block of this rank.
 /// @throws ConfigError for a name that no boundary has.
 [[nodiscard]] std::vector<BlockWalls> make_walls(const core::Mesh& mesh, const BoundaryConditions& conditions);
+
+/// Gives the boundaries that change in time the velocity that they have at one.
+/// @param full   As the scene gives them.
+/// @param walls  Of the same sides.
+void set_time(const std::vector<BlockWalls>& full, double time, std::vector<BlockWalls>& walls);
 
 /// Is any boundary of the domain, on whatever rank, of a kind that the test holds for?
 template <class Test>

@@ -24,6 +24,13 @@ public:
             for (face[first_] = 0; face[first_] < count_[0]; ++face[first_]) values_.push_back(value(face));
     }
 
+    /// All of them times a factor.
+    [[nodiscard]] SideVectors scaled(double factor) const
+    {
+        SideVectors result = *this;
+        for (core::Vec3& v : result.values_) v *= factor;
+        return result;
+    }
     /// At a cell or face on the side; beyond the edges of the side, that of the nearest face.
     [[nodiscard]] const core::Vec3& operator[](core::Index3 at) const
     {

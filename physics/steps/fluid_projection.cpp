@@ -39,7 +39,7 @@ void FluidStep::declare_flux_memory(tasks::StageGraph& graph, core::VectorField&
         "what faces remember",
         [this](LocalBlock b, FaceView<const double> flux, Vectors u, const FluidClock& clock, FaceView<double> remembered,
                View<double> outflow) {
-            if (clock.memory() > 0) split_flux(geometry(b), walls_of(b), flux, u, remembered, outflow);
+            if (clock.memory() > 0) split_flux(geometry(b), old_walls_of(b), flux, u, remembered, outflow);
         },
         reads(state_.flux, beside(carried), clock_), writes(f.remembered_flux, f.remembered_outflow));
 }
@@ -152,14 +152,14 @@ void FluidStep::declare_budget(tasks::StageGraph& graph)
             const double volume = sum_cells([](double v) { return v; }, geometry(b).volume.view());
             budget.before = sum(before);
             budget.after = sum(u);
-            budget.through = dt * through_flow(geometry(b), walls_of(b), carrier, before);
+            budget.through = dt * through_flow(geometry(b), old_walls_of(b), carrier, before);
             budget.advection = sum(advected) - sum(source) - budget.through;
             budget.drive = dt * volume * mean_acceleration(parameters_.drive, drive, clock.time, dt);
             budget.pressure =
                 per_density * wall_push(geometry(b), walls_of(b), pressure, 1) + wall_push(geometry(b), walls_of(b), impulse, 0);
             budget.gradient = -per_density * sum(gp) - sum(psi_gradient) - budget.pressure;
             budget.viscosity = dt * parameters_.viscosity *
-                               ((1 - implicit) * wall_friction(geometry(b), walls_of(b), before, factors) +
+                               ((1 - implicit) * wall_friction(geometry(b), old_walls_of(b), before, factors) +
                                 implicit * wall_friction(geometry(b), walls_of(b), predicted, factors));
         },
         reads(state_.velocity, state_.velocity_before, f.source, f.advected, f.pressure_gradient, f.predicted, f.psi_gradient,

@@ -28,6 +28,12 @@ FluidStep::FluidStep(const core::Mesh& mesh, const core::Communicator& ranks, ta
       budget_("momentum budget", std::size_t(mesh.own_count()))
 {
     require_balance(ranks);
+    const auto& conditions = parameters_.boundaries;
+    if (std::any_of(conditions.begin(), conditions.end(),
+                    [](const auto& said) { return !std::holds_alternative<SteadyCourse>(said.second.course); })) {
+        full_walls_ = walls_before_ = walls_;
+        begin_step();
+    }
     if (parameters_.viscosity > 0)
         viscosity_system_ = std::make_unique<ViscositySystem>(system_context(), pressure_system_.layout(), parameters_.tolerances);
     if (const auto* flow = std::get_if<FlowDrive>(&parameters_.drive))
@@ -51,6 +57,12 @@ void FluidStep::require_balance(const core::Communicator& ranks) const
     core::require<core::ConfigError>(std::abs(net) <= round_off * all,
                                      core::text(std::abs(net), net > 0 ? " m3/s more flow out of" : " m3/s more flow into",
                                                 " the domain than the other way, and no boundary gives way: let one be an outflow"));
+}
+
+void FluidStep::begin_step()
+{
+    set_time(full_walls_, state_.clock.time, walls_before_);
+    set_time(full_walls_, state_.clock.time + state_.clock.dt, walls_);
 }
 
 SystemContext FluidStep::system_context() const
@@ -120,11 +132,11 @@ void FluidStep::declare_predictor(tasks::StageGraph& graph)
 void FluidStep::declare_boundaries(tasks::StageGraph& graph)
 {
     graph.boundary(state_.velocity, "walls of velocity",
-                   [this](LocalBlock b, VectorView<double> u) { mirror_velocity(walls_of(b), 3, u); });
+                   [this](LocalBlock b, VectorView<double> u) { mirror_velocity(old_walls_of(b), 3, u); });
     graph.boundary(state_.velocity_before, "walls of velocity before",
-                   [this](LocalBlock b, VectorView<double> u) { mirror_velocity(walls_of(b), 1, u); });
+                   [this](LocalBlock b, VectorView<double> u) { mirror_velocity(old_walls_of(b), 1, u); });
     graph.boundary(fields_.transport, "walls of transport velocity",
-                   [this](LocalBlock b, VectorView<double> u) { mirror_velocity(walls_of(b), 1, u); });
+                   [this](LocalBlock b, VectorView<double> u) { mirror_velocity(old_walls_of(b), 1, u); });
     graph.boundary(fields_.predicted, "walls of predicted velocity",
                    [this](LocalBlock b, VectorView<double> u) { mirror_velocity(walls_of(b), 1, u); });
     graph.boundary(state_.pressure, "walls of pressure", [this](LocalBlock b, View<double> p) { mirror_pressure(walls_of(b), 1, p); });

@@ -22,6 +22,8 @@ public:
     FluidStep(const FluidStep&) = delete;
     FluidStep& operator=(const FluidStep&) = delete;
 
+    /// Sets what holds on boundaries that change in time for the step that the clock describes: to be called before it is run.
+    void begin_step();
     /// Declares all stages. Allocates the state; `budget()` is computed when the label "budget" is due.
     void declare(tasks::StageGraph& graph);
     /// What holds at walls: before any stage that reads a halo.
@@ -67,7 +69,10 @@ public:
     [[nodiscard]] const FluidState& state() const { return state_; }
     [[nodiscard]] FluidFields& fields() { return fields_; }
     [[nodiscard]] const FluidFields& fields() const { return fields_; }
+    /// What holds on boundaries at the end of the step.
     [[nodiscard]] const std::vector<BlockWalls>& walls() const { return walls_; }
+    /// The same at its start.
+    [[nodiscard]] const std::vector<BlockWalls>& walls_before() const { return full_walls_.empty() ? walls_ : walls_before_; }
     [[nodiscard]] PressureSystem& pressure_system() { return pressure_system_; }
     [[nodiscard]] const PressureSystem& pressure_system() const { return pressure_system_; }
     [[nodiscard]] const ViscositySystem* viscosity_system() const { return viscosity_system_.get(); }
@@ -92,12 +97,14 @@ private:
     void declare_budget(tasks::StageGraph& graph);
     [[nodiscard]] const core::BlockGeometry& geometry(core::LocalBlock b) const { return mesh_.geometry(b); }
     [[nodiscard]] const BlockWalls& walls_of(core::LocalBlock b) const { return walls_[std::size_t(b)]; }
+    [[nodiscard]] const BlockWalls& old_walls_of(core::LocalBlock b) const { return walls_before()[std::size_t(b)]; }
 
     const core::Mesh& mesh_;
     tasks::HaloFiller& halos_;
     FluidParameters parameters_;
     std::vector<BlockWalls> walls_;
-    std::vector<std::array<bool, 3>> singular_axes_; ///< of each block of this rank
+    std::vector<BlockWalls> walls_before_, full_walls_; ///< empty unless some change in time
+    std::vector<std::array<bool, 3>> singular_axes_;    ///< of each block of this rank
     FluidState state_;
     FluidFields fields_;
     tasks::Part<FluidClock> clock_;

@@ -81,6 +81,7 @@ public:
     {
         auto& clock = step_.state().clock;
         clock.dt = dt;
+        step_.begin_step();
         executor_->run_step(clock.step);
         clock.advance();
     }

@@ -71,3 +71,37 @@ run: { until: 1 s }
 )";
     CHECK(problem_of(text) == "5:3 a flow cannot be prescribed where fluid also goes through 'y_low'");
 }
+
+TEST_CASE("what flows in may be laminar, come from points and change in time; walls may change in time")
+{
+    const auto channel = [](const std::string& inflow, const std::string& wall = "velocity: [1 m/s, 0 m/s, 0 m/s]") {
+        return R"(name: test
+grid: { box: { size: [1 m, 1 m, 1 m], cells: [4, 4, 4] }, periodic: [z] }
+fluid:
+  water: { density: 1000 kg/m3, viscosity: 1e-6 m2/s }
+  boundaries:
+    - { at: x_low, kind: inflow, )" +
+               inflow + R"( }
+    - { at: x_high, kind: outflow }
+    - { at: y_high, )" +
+               wall + R"( }
+run: { until: 1 s }
+)";
+    };
+    const std::string velocity = "velocity: [1 m/s, 0 m/s, 0 m/s]", course = "over_time: { table: [[0 s, 0], [1 s, 1]] }";
+    CHECK(problem_of(channel(velocity + ", profile: laminar, " + course, velocity + ", " + course)) == "");
+    CHECK(problem_of(channel("profile: laminar")) == "6:7 an inflow needs 'velocity'");
+    CHECK(problem_of(channel(velocity, velocity + ", profile: laminar")) == "8:63 'profile' means nothing for kind: wall");
+    CHECK(problem_of(channel("profile_file: nowhere.txt")).ends_with("nowhere.txt cannot be read"));
+    CHECK(problem_of(channel(velocity + ", over_time: { table: [[0 s, 0], [0.5 s, 1]] }")) ==
+          "6:67 the table ends at 0.5 s, before the run does at 1 s");
+    const auto file = std::filesystem::temp_directory_path() / "isago_profile_test.txt";
+    std::ofstream(file) << "x y z u v w\n0 0 0 1 0 0\n0 1 0 2 0 0\n";
+    const auto [scene, problems] = io::read_scene_text("scene.yaml", channel("profile_file: " + file.string()));
+    CHECK(problems->text() == "");
+    CHECK(scene.fluid->boundaries[0].profile_file == file.string());
+    const auto [again, no_problems] = io::read_scene_text("resolved", io::scene_text(scene));
+    CHECK(no_problems->text() == "");
+    CHECK(again == scene);
+    std::filesystem::remove(file);
+}

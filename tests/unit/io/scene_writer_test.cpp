@@ -40,8 +40,11 @@ TEST_CASE("every value survives the resolved text")
     scene.grid.box = io::BoxGrid{{0.1, 1.0 / 3.0, 0.2}, {4, 6, 8}, {1, 2, 4}};
     scene.grid.periodic = {io::Axis::x, io::Axis::z};
     scene.fluid->material.name = "null";
-    scene.fluid->boundaries = {{"y_low", io::BoundaryKind::slip, {}, {}},
-                               {"y_high", io::BoundaryKind::wall, core::Vec3(0.1, 0, 1.0 / 3.0), {}}};
+    scene.fluid->boundaries.resize(2);
+    scene.fluid->boundaries[0].at = "y_low";
+    scene.fluid->boundaries[0].kind = io::BoundaryKind::slip;
+    scene.fluid->boundaries[1].at = "y_high";
+    scene.fluid->boundaries[1].velocity = core::Vec3(0.1, 0, 1.0 / 3.0);
     scene.fluid->drive.emplace();
     scene.fluid->drive->pressure_gradient = -3.0;
     scene.fluid->drive->axis = io::Axis::z;

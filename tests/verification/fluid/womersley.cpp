@@ -39,6 +39,13 @@ TEST_CASE("24 cells across give the profile at alpha = 5 to 1.5 %") { CHECK(prof
 
 TEST_CASE("48 cells across give the profile at alpha = 10 to 1.5 %") { CHECK(profile_error(48, 10, 120) < 0.015); }
 
+TEST_CASE("slow oscillations, alpha = 1 and 3, need few cells, and fast ones, alpha = 20, as many as their layer at the wall asks for")
+{
+    CHECK(profile_error(24, 1, 80) < 0.015);
+    CHECK(profile_error(24, 3, 80) < 0.015);
+    CHECK(profile_error(96, 20, 160) < 0.015);
+}
+
 TEST_CASE("the profile is second order in space")
 {
     const double coarse = profile_error(16, 5, 160), fine = profile_error(32, 5, 160);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // ctest: timeout=300
 // A flow that is prescribed: the pressure gradient that a step finds against exact solutions.
+#include "core/base/error.hpp"
 #include "core/grid/stepped_channel.hpp"
 #include "physics/fluid/section_flow.hpp"
 #include "physics/fluid/womersley.hpp"
@@ -203,4 +204,31 @@ TEST_CASE("a prescribed flow that is reached already needs no gradient without f
         run.step(0.25);
         CHECK(found(run) == test::relative(0.6).epsilon(1e-13));
     }
+}
+
+TEST_CASE("a gradient from a table gives a fluid without friction its integral at the end of every step")
+{
+    using physics::TableCourse;
+    physics::FluidParameters water = prescribed(0, 0);
+    water.drive = physics::VaryingDrive{
+        Vec3(0.4, 0, 0), TableCourse({{0, 0}, {0.3, 1}, {0.7, -1}, {1, 0}}, TableCourse::Between::linear, TableCourse::Beyond::repeat)};
+    test::FluidRun run(core::make_box({{0, 0, 0}, {2, 1, 1}, {8, 4, 4}, {1, 1, 1}, {true, true, true}}), water);
+    run.start([](const Vec3&) { return Vec3(0.1, 0, 0); });
+    // Integral of the table by hand: from 0 to 0.3 s, from there to 0.7 s, and on to 1 s, where it is zero again.
+    const auto gained = [](double t) {
+        const double s = t - std::floor(t);
+        if (s < 0.3) return s * s / 0.6;
+        return s < 0.7 ? 0.15 + (s - 0.3) - 2.5 * (s - 0.3) * (s - 0.3) : 0.15 - (s - 0.7) + (s - 0.7) * (s - 0.7) / 0.6;
+    };
+    for (int n = 0; n < 20; ++n) {
+        run.step(0.13); // steps end nowhere near the points
+        const double speed = 0.1 + 0.4 * gained(run.time());
+        CHECK(run.velocity_error([&](const Vec3&) { return Vec3(speed, 0, 0); }) < 1e-14);
+    }
+}
+
+TEST_CASE("a flow cannot be prescribed along a direction in which the domain ends")
+{
+    CHECK_THROWS_AS(test::FluidRun(core::make_box({{0, 0, 0}, {1, 1, 1}, {4, 4, 4}, {1, 1, 1}, {false, true, true}}), prescribed(1, 0)),
+                    core::ConfigError);
 }

@@ -16,6 +16,7 @@ void for_each_carried_field(World& world, Visit visit)
         visit(state.velocity_before);
         visit(state.pressure);
         visit(state.flux);
+        if (fluid->by_finite_volumes()) visit(state.flux_before);
     }
     if (auto* turbulence = world.turbulence()) {
         visit(turbulence->k());

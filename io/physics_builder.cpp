@@ -64,6 +64,7 @@ physics::FluidParameters fluid_parameters(const Scene& scene)
     p.density = scene.fluid->material.density;
     p.viscosity = scene.fluid->material.viscosity;
     for (const Boundary& boundary : scene.fluid->boundaries) p.boundaries[boundary.at] = condition_of(boundary);
+    p.advection = scene.fluid->advection;
     if (scene.fluid->drive) p.drive = drive_of(*scene.fluid->drive, p.density);
     p.tolerances.pressure = scene.solver.tolerance;
     return p;

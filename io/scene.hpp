@@ -6,6 +6,7 @@
 #include "io/course_keys.hpp"
 #include "io/grid_shapes.hpp"
 #include "io/value.hpp"
+#include "physics/fluid/advection_scheme.hpp"
 #include "physics/fluid/boundary_kind.hpp"
 #include <array>
 #include <cstddef>
@@ -189,8 +190,12 @@ struct TurbulenceKeys {
     bool operator==(const TurbulenceKeys&) const = default;
 };
 
+using physics::AdvectionScheme;
+inline constexpr std::array<std::string_view, 3> advection_scheme_words{"lcsi", "lcsi_spline", "finite_volume"};
+
 struct Fluid {
     Material material;
+    AdvectionScheme advection = AdvectionScheme::lcsi;
     std::vector<Boundary> boundaries; ///< Those that are not walls at rest.
     std::optional<Drive> drive;
     std::vector<Scalar> scalars;
@@ -249,7 +254,7 @@ struct Coupling {
 };
 
 struct Limits {
-    double cfl = 1.0;            ///< Largest cells crossed by the fluid in a step.
+    double cfl = 1.0;            ///< Cells crossed by the fluid in a step; of finite volumes, share of a cell that leaves it, at most 1.
     double particle_move = 0.25; ///< Largest move of a particle in a step, in widths of the filter.
     bool operator==(const Limits&) const = default;
 };

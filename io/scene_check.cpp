@@ -167,6 +167,9 @@ private:
                      "use grid.pipe or grid.box");
         if (particles && !scene_.contact) complain("particles", "particles need 'contact'", "add contact: { stiffness: 5 kN/m }");
         if (!particles && scene_.contact) complain("contact", "'contact' does nothing without 'particles'", "remove it, or add particles");
+        if (particles && scene_.fluid && scene_.fluid->advection == AdvectionScheme::finite_volume)
+            complain("fluid.advection", "finite volumes do not carry the momentum of a fluid between particles yet",
+                     "write advection: lcsi, or leave it out");
         if (scene_.coupling && (!particles || !scene_.fluid))
             complain("coupling", "'coupling' needs both 'fluid' and 'particles'", "remove it, or add what is missing");
     }

@@ -110,6 +110,12 @@ static void describe(Schema& s, TurbulenceKeys& p)
 
 static void describe(Schema& s, Fluid& p)
 {
+    s.value(
+        "advection",
+        "How the flow carries its velocity. lcsi: from where the water of each cell came from, steps bounded by accuracy alone; "
+        "lcsi_spline: the same by local splines that nothing bounds, for comparison; finite_volume: by fluxes through faces, which keep "
+        "all momentum: steps in which a cell loses at most its own fluid; no particles, points of blocks that match",
+        choice_of(p.advection, advection_scheme_words));
     s.list("boundaries", p.boundaries, "Boundaries other than walls at rest");
     s.group("drive", p.drive, "What pushes the fluid along a periodic axis");
     s.list("scalars", p.scalars, "What the fluid carries along, such as dye: it does not act back");
@@ -182,7 +188,8 @@ static void describe(Schema& s, Coupling& p)
 
 static void describe(Schema& s, Limits& p)
 {
-    s.value("cfl", p.cfl, "1", "Cells that the fluid may cross in a step", positive);
+    s.value("cfl", p.cfl, "1",
+            "Cells that the fluid may cross in a step; with finite_volume, share of a cell's fluid that may leave it, at most 1", positive);
     s.value("particle_move", p.particle_move, "1", "Widths of the coupling filter that a particle may move in a step", positive);
 }
 

@@ -103,6 +103,7 @@ private:
     void try_step(tasks::Executor& executor);
     void put_back();
     void initialise();
+    [[nodiscard]] physics::TransportRates transport_rates(const core::Vec3& pull) const;
     [[nodiscard]] physics::TimeStepLimit limit_of_step() const;
     /// Divides a step of at most dt [s] into sub-steps of the grains: whole ones that contacts ask for, or a single shorter one.
     /// @returns its length [s].

@@ -16,30 +16,47 @@ constexpr double still_steps = 200; // steps of a fluid that nothing moves, over
 
 } // namespace
 
+physics::TransportRates World::transport_rates(const core::Vec3& pull) const
+{
+    // A flow that is prescribed begins at once.
+    const bool starts = clock().dt_before == 0 && fluid_->flow_control();
+    const core::Vec3 start = starts ? core::Vec3(std::abs(fluid_->flow_control()->bulk_velocity(time())) *
+                                                 physics::drive_direction(fluid_->parameters().drive).cwiseAbs())
+                                    : core::Vec3(core::Vec3::Zero());
+    physics::TransportRates rates;
+    for (core::LocalBlock b = 0; b < mesh_.own_count(); ++b) {
+        physics::TransportRates here = physics::transport_rates(mesh_.geometry(b), fluid_->state().velocity.on(b), pull);
+        if (fluid_->by_finite_volumes()) here.outflow = physics::largest_outflow_rate(mesh_.geometry(b), fluid_->state().flux.on(b));
+        if (starts) {
+            const physics::TransportRates begun = physics::transport_rates(mesh_.geometry(b), fluid_->state().velocity.on(b), start);
+            here.displacement = std::max(here.displacement, begun.growth);
+            here.outflow = std::max(here.outflow, begun.outflow_growth);
+        }
+        rates.widen(here);
+    }
+    std::array all{rates.displacement, rates.distortion, rates.growth, rates.outflow, rates.outflow_growth};
+    ranks_.max(all);
+    return {all[0], all[1], all[2], all[3], all[4]};
+}
+
 physics::TimeStepLimit World::limit_of_step() const
 {
     const auto& drive = fluid_->parameters().drive;
     const core::Vec3 direction = physics::drive_direction(drive).cwiseAbs();
     core::Vec3 pull = physics::drive_strength(drive, clock().drive) * direction;
     if (grains_) pull += gravity_of(scene_).cwiseAbs();
-    physics::TransportRates rates;
-    for (core::LocalBlock b = 0; b < mesh_.own_count(); ++b)
-        rates.widen(physics::transport_rates(mesh_.geometry(b), fluid_->state().velocity.on(b), pull));
-    // A flow that is prescribed begins at once.
-    const bool starts = clock().dt_before == 0 && fluid_->flow_control();
-    const double start = starts ? std::abs(fluid_->flow_control()->bulk_velocity(time())) : 0.0;
-    for (core::LocalBlock b = 0; starts && b < mesh_.own_count(); ++b)
-        rates.displacement = std::max(
-            rates.displacement, physics::transport_rates(mesh_.geometry(b), fluid_->state().velocity.on(b), start * direction).growth);
-    std::array all{rates.displacement, rates.distortion, rates.growth, grains_ ? physics::largest_speed(grains_->particles) : 0.0};
-    ranks_.max(all);
+    const physics::TransportRates rates = transport_rates(pull);
     physics::TimeStepOptions options;
     if (!scene_.run.time_step) options.largest = (scene_.run.until + scene_.run.settle) / still_steps;
     options.displacement = scene_.run.limits.cfl;
-    physics::TimeStepLimit limit = physics::time_step_limit({all[0], all[1], all[2]}, options);
+    options.outflow = std::min(scene_.run.limits.cfl, options.outflow);
+    physics::TimeStepLimit limit =
+        fluid_->by_finite_volumes() ? physics::outflow_step_limit(rates, options) : physics::time_step_limit(rates, options);
     if (coupling_) {
+        std::array fastest{physics::largest_speed(grains_->particles)};
+        ranks_.max(fastest);
         const double width = coupling_parameters(scene_).filter_width;
-        limit.tighten(physics::grain_move_limit(scene_.run.limits.particle_move, width, all[3], pull.norm()), "particle move");
+        limit.tighten(physics::grain_move_limit(scene_.run.limits.particle_move, width, fastest[0], pull.norm()), "particle move");
     }
     if (scene_.run.time_step) limit.tighten(*scene_.run.time_step, "time_step of the scene");
     limit.dt *= shortening_;

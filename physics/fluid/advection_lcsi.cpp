@@ -41,10 +41,15 @@ struct Weights {
     }
 };
 
-void fill_hermite(const double* displacement, int cells, Weights<7>& weights)
+void fill(Interpolation interpolation, const double* displacement, int cells, Weights<7>& weights)
 {
+    if (interpolation == Interpolation::hermite) {
 #pragma omp simd
-    for (int l = 0; l < cells; ++l) hermite_weights(-displacement[l], &weights.w[0][l], chunk);
+        for (int l = 0; l < cells; ++l) hermite_weights(-displacement[l], &weights.w[0][l], chunk);
+    } else {
+#pragma omp simd
+        for (int l = 0; l < cells; ++l) spline_weights(-displacement[l], &weights.w[0][l], chunk);
+    }
 }
 
 /// Replaces the weights of the chosen cells by linear ones.
@@ -269,7 +274,7 @@ std::array<bool, 3> singular_axes(const core::Topology& topology, core::BlockId 
 }
 
 void advect(const core::BlockGeometry& geometry, core::VectorView<const double> q, core::VectorView<const double> displacement,
-            std::array<bool, 3> singular, core::VectorView<double> out)
+            std::array<bool, 3> singular, core::VectorView<double> out, Interpolation interpolation)
 {
     const auto near_singular = geometry.near_singular.view();
     // Across the edges: linear along every axis unless all singular edges run along it.
@@ -280,7 +285,7 @@ void advect(const core::BlockGeometry& geometry, core::VectorView<const double> 
         const std::array weights{&window.i, &window.j, &window.k};
         for (int m = 0; m < 3; ++m) {
             const double* d = row(displacement.component(m));
-            fill_hermite(d, cells, *weights[std::size_t(m)]);
+            fill(interpolation, d, cells, *weights[std::size_t(m)]);
             if (!one_axis || !singular[std::size_t(m)]) make_linear(d, row(near_singular), cells, *weights[std::size_t(m)]);
         }
         Chunk sum;

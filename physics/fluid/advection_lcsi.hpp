@@ -46,13 +46,19 @@ void require_within_reach(const LongestWay& way, core::BlockId block, double dt)
 /// @param block  Global id.
 [[nodiscard]] std::array<bool, 3> singular_axes(const core::Topology& topology, core::BlockId block);
 
-/// q at the departure points: tensor product of six-point Hermite interpolation; where the six points would reach round a
+/// Curve through six points along each axis.
+enum class Interpolation {
+    hermite, ///< amplifies no mode
+    spline   ///< the literal local spline
+};
+
+/// q at the departure points: tensor product of six-point interpolation; where the six points would reach round a
 /// singular edge, linear in the directions across it.
 /// @param q             Three halo layers.
 /// @param singular      Of singular_axes().
 /// @param displacement  At most one cell in each direction.
-/// @source  NUMERICS A5 (after Ushijima 1994): the member of the family that amplifies no mode.
+/// @source  NUMERICS A5 (after Ushijima 1994): Hermite is the member of the family that amplifies no mode.
 void advect(const core::BlockGeometry& geometry, core::VectorView<const double> q, core::VectorView<const double> displacement,
-            std::array<bool, 3> singular, core::VectorView<double> out);
+            std::array<bool, 3> singular, core::VectorView<double> out, Interpolation interpolation = Interpolation::hermite);
 
 } // namespace physics

@@ -44,6 +44,12 @@ core::Vec3 mirrored(const BlockSide& side, core::Index3 at, const core::Vec3& in
     return side.velocity[at] + reflected(side, at, inside - side.velocity[at]);
 }
 
+core::Vec3 carried_through(const BlockSide& side, core::Index3 at, double outward, const core::Vec3& inside)
+{
+    if (side.kind == BoundaryKind::outflow && outward < 0) return core::Vec3::Zero();
+    return 0.5 * (mirrored(side, at, inside) + inside);
+}
+
 void mirror_velocity(const BlockWalls& walls, int layers, core::VectorView<double> velocity)
 {
     for_each_mirrored(walls, velocity.x.extents(), layers, [&](const BlockSide& side, core::Index3 inside, core::Index3 beyond) {

@@ -32,6 +32,10 @@ void for_each_mirrored(const BlockWalls& walls, core::Extents cells, int layers,
 /// @param at  The cell inside, or the face.
 [[nodiscard]] core::Vec3 mirrored(const BlockSide& side, core::Index3 at, const core::Vec3& inside);
 
+/// The velocity that goes with the flux through a face of a boundary; what flows back through an outflow was at rest.
+/// @param outward  Flux through the face [m3/s].
+[[nodiscard]] core::Vec3 carried_through(const BlockSide& side, core::Index3 at, double outward, const core::Vec3& inside);
+
 /// Beyond boundaries that give the velocity lies its mirror image about that; the velocity across slip walls is mirrored so, that
 /// along them goes on as inside; where the pressure is given, all of it goes on.
 void mirror_velocity(const BlockWalls& walls, int layers, core::VectorView<double> velocity);

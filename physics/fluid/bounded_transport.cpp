@@ -14,13 +14,15 @@ namespace {
 /// What leaves a cell through two faces that lie across from each other; with the faces exchanged, what enters.
 double leaving(double low, double high) { return std::max(high, 0.0) - std::min(low, 0.0); }
 
-void transport_fluxes_along(const core::BlockGeometry& geometry, const FaceCentres& centres, int axis, core::View<const double> flux,
-                            const CarriedValue& q, core::View<double> upwind, core::View<double> added)
+/// Calls store(j, k)(i, flux, upwind value, what high order adds to it) for every face along an axis.
+template <class Store>
+void for_each_face_value(const core::BlockGeometry& geometry, const FaceCentres& centres, int axis, core::View<const double> flux,
+                         const CarriedValue& q, Store store)
 {
     constexpr double second_difference = 1.0 / 6;
     const core::Extents n = flux.extents();
     const auto cx = geometry.centre_x.view(), cy = geometry.centre_y.view(), cz = geometry.centre_z.view();
-    const std::ptrdiff_t c = cx.stride(axis), s = q.value.stride(axis), g = q.gradient.x.stride(axis);
+    const std::ptrdiff_t c = cx.stride(axis), s = q.value.stride(axis), m = q.half.stride(axis), g = q.gradient.x.stride(axis);
     const auto& place = centres[std::size_t(axis)];
     for (int k = 0; k < n.nk; ++k)
         for (int j = 0; j < n.nj; ++j) {
@@ -28,18 +30,17 @@ void transport_fluxes_along(const core::BlockGeometry& geometry, const FaceCentr
             const double *fx = place[0].view().row(j, k), *fy = place[1].view().row(j, k), *fz = place[2].view().row(j, k);
             const double *v = q.value.row(j, k), *h = q.half.row(j, k);
             const double *gx = q.gradient.x.row(j, k), *gy = q.gradient.y.row(j, k), *gz = q.gradient.z.row(j, k);
-            double *up = upwind.row(j, k), *more = added.row(j, k);
+            const auto put = store(j, k);
 #pragma omp simd
             for (int i = 0; i < n.ni; ++i) {
                 const bool along = f[i] > 0;
-                const double value = along ? v[i - s] : v[i], beyond = along ? v[i] : v[i - s], half = along ? h[i - s] : h[i];
+                const double value = along ? v[i - s] : v[i], beyond = along ? v[i] : v[i - s], half = along ? h[i - m] : h[i];
                 const double slope_x = along ? gx[i - g] : gx[i], slope_y = along ? gy[i - g] : gy[i], slope_z = along ? gz[i - g] : gz[i];
                 const double to_face = slope_x * (fx[i] - (along ? x[i - c] : x[i])) + slope_y * (fy[i] - (along ? y[i - c] : y[i])) +
                                        slope_z * (fz[i] - (along ? z[i - c] : z[i]));
                 const double along_line = slope_x * (x[i] - x[i - c]) + slope_y * (y[i] - y[i - c]) + slope_z * (z[i] - z[i - c]);
                 const double bend = (beyond - value) - (along ? along_line : -along_line);
-                up[i] = f[i] * value;
-                more[i] = f[i] * ((half - value) + to_face + second_difference * bend);
+                put(i, f[i], value, (half - value) + to_face + second_difference * bend);
             }
         }
 }
@@ -90,8 +91,26 @@ void middle_of_step(double dt, core::View<const double> share, core::VectorView<
 void transport_fluxes(const core::BlockGeometry& geometry, const FaceCentres& centres, core::FaceView<const double> flux,
                       const CarriedValue& q, core::FaceView<double> upwind, core::FaceView<double> added)
 {
-    for (int axis = 0; axis < 3; ++axis)
-        transport_fluxes_along(geometry, centres, axis, flux.along(axis), q, upwind.along(axis), added.along(axis));
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto low = upwind.along(axis), high = added.along(axis);
+        for_each_face_value(geometry, centres, axis, flux.along(axis), q, [=](int j, int k) {
+            return [up = low.row(j, k), more = high.row(j, k)](int i, double f, double value, double addition) {
+                up[i] = f * value;
+                more[i] = f * addition;
+            };
+        });
+    }
+}
+
+void transport_flux(const core::BlockGeometry& geometry, const FaceCentres& centres, core::FaceView<const double> flux,
+                    const CarriedValue& q, core::FaceView<double> out)
+{
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto all = out.along(axis);
+        for_each_face_value(geometry, centres, axis, flux.along(axis), q, [=](int j, int k) {
+            return [o = all.row(j, k)](int i, double f, double value, double addition) { o[i] = f * (value + addition); };
+        });
+    }
 }
 
 void outflow_of_cells(core::FaceView<const double> flux, core::View<double> outflow)
@@ -99,6 +118,22 @@ void outflow_of_cells(core::FaceView<const double> flux, core::View<double> outf
     map_faces_of_cells(outflow, flux, [](double low_i, double high_i, double low_j, double high_j, double low_k, double high_k) {
         return leaving(low_i, high_i) + leaving(low_j, high_j) + leaving(low_k, high_k);
     });
+}
+
+double largest_outflow_rate(const core::BlockGeometry& geometry, core::FaceView<const double> flux)
+{
+    const auto volume = geometry.volume.view();
+    const core::Extents n = geometry.cells;
+    double most = 0;
+    for (int k = 0; k < n.nk; ++k)
+        for (int j = 0; j < n.nj; ++j) {
+            const double *fi = flux.i.row(j, k), *low_j = flux.j.row(j, k), *high_j = flux.j.row(j + 1, k), *low_k = flux.k.row(j, k),
+                         *high_k = flux.k.row(j, k + 1), *v = volume.row(j, k);
+#pragma omp simd reduction(max : most)
+            for (int i = 0; i < n.ni; ++i)
+                most = std::max(most, (leaving(fi[i], fi[i + 1]) + leaving(low_j[i], high_j[i]) + leaving(low_k[i], high_k[i])) / v[i]);
+        }
+    return most;
 }
 
 void flux_shares(core::View<const double> value, core::View<const double> low, core::View<const double> capacity,

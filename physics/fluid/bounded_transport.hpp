@@ -35,8 +35,14 @@ void middle_of_step(double dt, core::View<const double> share, core::VectorView<
 void transport_fluxes(const core::BlockGeometry& geometry, const FaceCentres& centres, core::FaceView<const double> flux,
                       const CarriedValue& q, core::FaceView<double> upwind, core::FaceView<double> added);
 
+/// The same in one, not bounded: F (q_upwind + high order).
+void transport_flux(const core::BlockGeometry& geometry, const FaceCentres& centres, core::FaceView<const double> flux,
+                    const CarriedValue& q, core::FaceView<double> out);
+
 /// Sum of the fluxes that leave each cell [m3/s].
 void outflow_of_cells(core::FaceView<const double> flux, core::View<double> outflow);
+/// The largest of that over the volume of the cell [1/s].
+[[nodiscard]] double largest_outflow_rate(const core::BlockGeometry& geometry, core::FaceView<const double> flux);
 
 /// How much of the added fluxes a cell can take and give without leaving the range of its old and its neighbours' old values.
 /// @source  Zalesak (1979), eqs. (7)-(12), bounds from old values alone.

@@ -60,7 +60,8 @@ core::Vec3 through_flow(const core::BlockGeometry& geometry, const BlockWalls& w
     for_each_wall_face(geometry, walls, [&](core::Side side, core::Index3 c, core::Index3 face) {
         const core::Vec3 u(velocity.x[c], velocity.y[c], velocity.z[c]);
         const double through = flux.along(core::axis_of(side))[face];
-        sum += 0.5 * (core::is_high(side) ? -through : through) * (mirrored(walls.at(side), c, u) + u);
+        const double outward = core::is_high(side) ? through : -through;
+        sum -= outward * carried_through(walls.at(side), c, outward, u);
     });
     return sum;
 }

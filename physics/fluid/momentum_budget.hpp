@@ -9,10 +9,11 @@ namespace physics {
 
 /// Sums over the cells of a block [m4/s].
 struct MomentumBudget {
-    core::Vec3 before = core::Vec3::Zero();    ///< at the start of the step
-    core::Vec3 after = core::Vec3::Zero();     ///< at its end
-    core::Vec3 through = core::Vec3::Zero();   ///< carried in and out through the boundaries
-    core::Vec3 advection = core::Vec3::Zero(); ///< what interpolation at departure points made or lost: zero in the exact equations
+    core::Vec3 before = core::Vec3::Zero();  ///< at the start of the step
+    core::Vec3 after = core::Vec3::Zero();   ///< at its end
+    core::Vec3 through = core::Vec3::Zero(); ///< carried in and out through the boundaries
+    /// What interpolation at departure points made or lost: zero in the exact equations. Of finite volumes, round-off.
+    core::Vec3 advection = core::Vec3::Zero();
     core::Vec3 viscosity = core::Vec3::Zero(); ///< friction on walls, from the fluxes through them
     core::Vec3 pressure = core::Vec3::Zero();  ///< pressure on walls, from its values there
     core::Vec3 gradient = core::Vec3::Zero();  ///< sum of the gradients in the cells beyond that: zero on uniform grids

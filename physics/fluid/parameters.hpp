@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What a scene says about its fluid.
+#include "physics/fluid/advection_scheme.hpp"
 #include "physics/fluid/boundary.hpp"
 #include "physics/fluid/drive.hpp"
 #include <algorithm>
@@ -29,6 +30,7 @@ struct FluidParameters {
     double viscosity = 1e-6; ///< kinematic [m2/s]; 0 leaves all viscous stages out
     Drive drive = ConstantDrive{};
     BoundaryConditions boundaries;
+    AdvectionScheme advection = AdvectionScheme::lcsi;
     FluidTolerances tolerances;
 };
 

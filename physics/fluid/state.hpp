@@ -48,7 +48,8 @@ struct FluidState {
         : velocity({"velocity", "m/s", 3, true, true}, mesh.own_cells()),
           velocity_before({"velocity before", "m/s", 1, true}, mesh.own_cells()),
           pressure({"pressure", "Pa", 1, true}, mesh.own_cells()),
-          flux({"volume flux", "m3/s", 0, true}, mesh.own_cells())
+          flux({"volume flux", "m3/s", 0, true}, mesh.own_cells()),
+          flux_before({"volume flux before", "m3/s", 0, true}, mesh.own_cells())
     {
     }
 
@@ -56,6 +57,7 @@ struct FluidState {
     core::VectorField velocity_before; ///< at the last time: for the velocity of trajectories
     core::ScalarField pressure;        ///< dynamic, without the drive, at the middle of the last step
     core::FaceField flux;              ///< through faces, free of divergence to the solver's tolerance
+    core::FaceField flux_before;       ///< at the last time: for that in the middle of a step; advection by finite volumes alone has it
     FluidClock clock;
 };
 

@@ -26,17 +26,25 @@ private:
     const double *ax_, *ay_, *az_, *x_, *y_, *z_;
 };
 
-/// Largest acceleration along an axis of index space that one of given magnitudes may mean [cells/s2].
-double index_acceleration(const core::BlockGeometry& geometry, const core::Vec3& pull)
+/// Largest acceleration in index space that one of given magnitudes may mean [cells/s2].
+struct IndexAcceleration {
+    double along_axis = 0; ///< along one axis
+    double of_all = 0;     ///< summed over the axes
+};
+
+IndexAcceleration index_acceleration(const core::BlockGeometry& geometry, const core::Vec3& pull)
 {
-    if (pull.isZero()) return 0;
-    double largest = 0;
+    IndexAcceleration largest;
+    if (pull.isZero()) return largest;
     core::for_each_cell(geometry.cells, [&](int i, int j, int k) {
+        double sum = 0;
         for (const auto& row : geometry.inverse_jacobian) {
             double a = 0;
             for (std::size_t n = 0; n < 3; ++n) a += std::abs(row[n](i, j, k) * pull[int(n)]);
-            largest = std::max(largest, a);
+            largest.along_axis = std::max(largest.along_axis, a);
+            sum += a;
         }
+        largest.of_all = std::max(largest.of_all, sum);
     });
     return largest;
 }
@@ -61,7 +69,8 @@ TransportRates transport_rates(const core::BlockGeometry& geometry, core::Vector
                     distortion = std::max(distortion, std::max(across, std::abs(here(std::min(i + 1, n.ni - 1)) - u)));
                 }
             }
-    return {displacement, distortion, index_acceleration(geometry, pull)};
+    const IndexAcceleration growth = index_acceleration(geometry, pull);
+    return {displacement, distortion, growth.along_axis, 0, growth.of_all};
 }
 
 double time_to_reach(double bound, double rate, double growth)
@@ -75,6 +84,13 @@ TimeStepLimit time_step_limit(const TransportRates& rates, const TimeStepOptions
     TimeStepLimit limit{options.largest, "largest"};
     limit.tighten(time_to_reach(options.displacement, rates.displacement, rates.growth), "displacement");
     limit.tighten(time_to_reach(options.distortion, rates.distortion, 0), "distortion");
+    return limit;
+}
+
+TimeStepLimit outflow_step_limit(const TransportRates& rates, const TimeStepOptions& options)
+{
+    TimeStepLimit limit{options.largest, "largest"};
+    limit.tighten(time_to_reach(options.outflow, rates.outflow, rates.outflow_growth), "outflow of cells");
     return limit;
 }
 

@@ -11,9 +11,11 @@ namespace physics {
 
 /// Largest rates in a block.
 struct TransportRates {
-    double displacement = 0; ///< cells per second, along one axis
-    double distortion = 0;   ///< difference of that between neighbouring cells [1/s]
-    double growth = 0;       ///< of displacement by what pulls the fluid [cells/s2]
+    double displacement = 0;   ///< cells per second, along one axis
+    double distortion = 0;     ///< difference of that between neighbouring cells [1/s]
+    double growth = 0;         ///< of displacement by what pulls the fluid [cells/s2]
+    double outflow = 0;        ///< share of the fluid of a cell that leaves it per second; finite volumes alone need it [1/s]
+    double outflow_growth = 0; ///< of that by what pulls the fluid [1/s2]
 
     /// Takes in the rates of another block.
     void widen(const TransportRates& other)
@@ -21,6 +23,8 @@ struct TransportRates {
         displacement = std::max(displacement, other.displacement);
         distortion = std::max(distortion, other.distortion);
         growth = std::max(growth, other.growth);
+        outflow = std::max(outflow, other.outflow);
+        outflow_growth = std::max(outflow_growth, other.outflow_growth);
     }
 };
 
@@ -36,6 +40,7 @@ struct TimeStepOptions {
     double largest = std::numeric_limits<double>::infinity(); ///< [s]
     double displacement = 0.9;                                ///< cells per step; the stencils reach one cell
     double distortion = 0.5;                                  ///< below 1 trajectories do not cross
+    double outflow = 1;                                       ///< share of the fluid of a cell; stable to 1.35 (momentum_transport.hpp)
 };
 
 struct TimeStepLimit {
@@ -49,5 +54,7 @@ struct TimeStepLimit {
 };
 
 [[nodiscard]] TimeStepLimit time_step_limit(const TransportRates& rates, const TimeStepOptions& options);
+/// The same for finite volumes, which trace no paths: how much of the fluid of a cell may leave it.
+[[nodiscard]] TimeStepLimit outflow_step_limit(const TransportRates& rates, const TimeStepOptions& options);
 
 } // namespace physics

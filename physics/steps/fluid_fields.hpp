@@ -18,6 +18,8 @@ struct FluidFields {
           transport({"transport velocity", "m/s", 1, false}, mesh.own_cells()),
           index_velocity({"velocity in index space", "1/s", 1, false}, mesh.own_cells()),
           displacement({"displacement", "cells", 0, false}, mesh.own_cells()),
+          middle_flux({"volume flux in the middle of the step", "m3/s", 0, false}, mesh.own_cells()),
+          middle({"velocity in the middle of the step", "m/s", 1, false}, mesh.own_cells()),
           advected({"advected velocity", "m/s", 0, false}, mesh.own_cells()),
           predicted({"predicted velocity", "m/s", 1, false, true}, mesh.own_cells()),
           viscous_change({"viscous change of velocity", "m/s", 0, false}, mesh.own_cells()),
@@ -39,7 +41,9 @@ struct FluidFields {
     core::VectorField source;    ///< what is interpolated at the departure points
     core::VectorField transport; ///< what carries: velocity as the fluxes through the faces of a cell have it
     core::VectorField index_velocity, displacement;
-    core::VectorField advected;       ///< source at the departure points
+    core::FaceField middle_flux;      ///< what carries in finite volumes
+    core::VectorField middle;         ///< what they carry, in the centres of cells
+    core::VectorField advected;       ///< source at the departure points, or after its fluxes
     core::VectorField predicted;      ///< before the projection
     core::VectorField viscous_change; ///< by implicit viscosity: a guess, then what it came to
     core::FaceField face_scratch, predicted_flux;

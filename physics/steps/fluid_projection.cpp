@@ -142,17 +142,19 @@ void FluidStep::declare_correction(tasks::StageGraph& graph)
 void FluidStep::declare_budget(tasks::StageGraph& graph)
 {
     auto& f = fields_;
+    auto& carrier = by_finite_volumes() ? f.middle_flux : state_.flux;
+    auto& carried = by_finite_volumes() ? f.middle : state_.velocity_before;
     graph.each_block(
         "momentum budget",
         [this](LocalBlock b, Vectors u, Vectors before, Vectors source, Vectors advected, Vectors gp, Vectors predicted,
-               Vectors psi_gradient, View<const double> pressure, View<const double> impulse, FaceView<const double> carrier,
-               const FaceFactors& factors, const FluidClock& clock, const DriveState& drive, MomentumBudget& budget) {
+               Vectors psi_gradient, View<const double> pressure, View<const double> impulse, FaceView<const double> through,
+               Vectors brought, const FaceFactors& factors, const FluidClock& clock, const DriveState& drive, MomentumBudget& budget) {
             const auto sum = [&](Vectors q) { return volume_sum(geometry(b), q); };
             const double dt = clock.dt, per_density = dt / parameters_.density, implicit = clock.implicit_share();
             const double volume = sum_cells([](double v) { return v; }, geometry(b).volume.view());
             budget.before = sum(before);
             budget.after = sum(u);
-            budget.through = dt * through_flow(geometry(b), old_walls_of(b), carrier, before);
+            budget.through = dt * through_flow(geometry(b), old_walls_of(b), through, brought);
             budget.advection = sum(advected) - sum(source) - budget.through;
             budget.drive = dt * volume * mean_acceleration(parameters_.drive, drive, clock.time, dt);
             budget.pressure =
@@ -163,7 +165,7 @@ void FluidStep::declare_budget(tasks::StageGraph& graph)
                                 implicit * wall_friction(geometry(b), walls_of(b), predicted, factors));
         },
         reads(state_.velocity, state_.velocity_before, f.source, f.advected, f.pressure_gradient, f.predicted, f.psi_gradient,
-              state_.pressure, f.psi, state_.flux, f.viscosity_ratio, clock_, drive_),
+              state_.pressure, f.psi, carrier, carried, f.viscosity_ratio, clock_, drive_),
         writes(budget_));
     graph.sink(budget_, "budget");
 }

@@ -4,10 +4,8 @@
 #include "core/comm/reduce.hpp"
 #include "physics/fluid/advection_lcsi.hpp"
 #include "physics/fluid/boundary_halo.hpp"
-#include "physics/fluid/boundary_paths.hpp"
 #include "physics/fluid/cell_loops.hpp"
 #include "physics/fluid/gradient.hpp"
-#include "physics/fluid/quasi_monotone.hpp"
 #include "physics/fluid/transposed_stress.hpp"
 
 namespace physics {
@@ -39,7 +37,7 @@ FluidStep::FluidStep(const core::Mesh& mesh, const core::Communicator& ranks, ta
     if (const auto* flow = std::get_if<FlowDrive>(&parameters_.drive))
         flow_control_ =
             std::make_unique<FlowControl>(system_context(), *flow, pressure_system_, parameters_.tolerances, parameters_.viscosity);
-    for (const core::BlockId b : mesh.own()) singular_axes_.push_back(singular_axes(mesh.topology(), b));
+    prepare_advection();
     state_.velocity.allocate();
     state_.velocity_before.allocate();
     state_.pressure.allocate();
@@ -80,7 +78,7 @@ void FluidStep::declare(tasks::StageGraph& graph)
     if (viscosity_system_) {
         declare_velocity_gradients(graph);
         declare_viscous_acceleration(graph, fields_.viscous);
-    }
+    } else if (by_finite_volumes()) declare_velocity_gradients(graph);
     declare_transport(graph);
     declare_predictor(graph);
     declare_projection(graph);
@@ -148,49 +146,6 @@ void FluidStep::declare_boundaries(tasks::StageGraph& graph)
     graph.boundary(
         fields_.source, "walls of velocity to advect",
         [this](LocalBlock b, VectorView<double> q, Vectors u) { mirror_source(walls_of(b), 3, u, q); }, reads(halo(state_.velocity, 3)));
-}
-
-void FluidStep::declare_advection(tasks::StageGraph& graph)
-{
-    auto& f = fields_;
-    if (viscosity_system_)
-        graph.each_block(
-            "velocity to advect",
-            [this](LocalBlock, Vectors u, Vectors gp, Vectors viscous, const FluidClock& clock, VectorView<double> q) {
-                const double half = 0.5 * clock.dt / parameters_.density, share = clock.dt * (1 - clock.implicit_share());
-                map_components(
-                    q, [=](double v, double g, double a) { return v + (share * a - half * g); }, u, gp, viscous);
-            },
-            reads(state_.velocity, f.pressure_gradient, f.viscous, clock_), writes(f.source));
-    else
-        graph.each_block(
-            "velocity to advect",
-            [this](LocalBlock, Vectors u, Vectors gp, const FluidClock& clock, VectorView<double> q) {
-                const double half = 0.5 * clock.dt / parameters_.density;
-                map_components(
-                    q, [=](double v, double g) { return v - half * g; }, u, gp);
-            },
-            reads(state_.velocity, f.pressure_gradient, clock_), writes(f.source));
-    graph.each_block(
-        "velocity in index space",
-        [this](LocalBlock b, Vectors transport, Vectors u, Vectors before, const FluidClock& clock, VectorView<double> out) {
-            index_velocity(geometry(b), transport, {u, before, clock.extrapolation()}, out);
-        },
-        reads(halo(f.transport, 1), halo(state_.velocity, 3), halo(state_.velocity_before, 1), clock_), writes(f.index_velocity));
-    graph.each_block(
-        "trajectories",
-        [this](LocalBlock b, Vectors u, const FluidClock& clock, VectorView<double> out) {
-            require_within_reach(trajectories(u, clock.dt, out), mesh_.global(b), clock.dt);
-            end_at_boundaries(walls_of(b), out);
-        },
-        reads(f.index_velocity, clock_), writes(f.displacement));
-    graph.each_block(
-        "advect velocity",
-        [this](LocalBlock b, Vectors q, Vectors displacement, VectorView<double> out) {
-            advect(geometry(b), q, displacement, singular_axes_[std::size_t(b)], out);
-            keep_in_range(q, displacement, out);
-        },
-        reads(halo(f.source, 3), f.displacement), writes(f.advected));
 }
 
 void FluidStep::declare_viscous_guess(tasks::StageGraph& graph)

@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// The step of the fluid as stages: semi-Lagrangian advection, implicit viscosity, projection. One step, second order:
+// The step of the fluid as stages: advection, implicit viscosity, projection. One step, second order, here with departure points
+// (momentum_transport.hpp has u_a by finite volumes):
 //   u_a = (u + (1 - s) dt nu Lap u - dt/2 grad p / rho) at the departure point,
 //   u*  = u_a + dt drive - dt/2 grad p / rho + s dt nu Lap u*,      s = 1/2, or 1 after a jump of the forcing
 //   u   = u* - (dt / rho) grad dp,  p = p + dp,                     p in the middle of the step
 #include "physics/fluid/momentum_budget.hpp"
+#include "physics/fluid/momentum_transport.hpp"
 #include "physics/fluid/state.hpp"
 #include "physics/steps/flow_control.hpp"
 #include "physics/steps/fluid_fields.hpp"
@@ -65,6 +67,7 @@ public:
     void declare_old_velocity(tasks::StageGraph& graph);
 
     [[nodiscard]] const FluidParameters& parameters() const { return parameters_; }
+    [[nodiscard]] bool by_finite_volumes() const { return parameters_.advection == AdvectionScheme::finite_volume; }
     [[nodiscard]] FluidState& state() { return state_; }
     [[nodiscard]] const FluidState& state() const { return state_; }
     [[nodiscard]] FluidFields& fields() { return fields_; }
@@ -87,6 +90,11 @@ public:
 
 private:
     using Vectors = core::VectorView<const double>;
+    /// @throws ConfigError if the scheme cannot work on this mesh.
+    void prepare_advection();
+    void declare_source(tasks::StageGraph& graph);
+    void declare_departure(tasks::StageGraph& graph);
+    void declare_finite_volumes(tasks::StageGraph& graph);
     /// @throws ConfigError if more flows in than out, or the other way.
     void require_balance(const core::Communicator& ranks) const;
     void velocity_gradients(core::LocalBlock b, Vectors u, const std::array<core::VectorView<double>, 3>& out) const;
@@ -104,7 +112,8 @@ private:
     FluidParameters parameters_;
     std::vector<BlockWalls> walls_;
     std::vector<BlockWalls> walls_before_, full_walls_; ///< empty unless some change in time
-    std::vector<std::array<bool, 3>> singular_axes_;    ///< of each block of this rank
+    std::vector<std::array<bool, 3>> singular_axes_;    ///< of each block of this rank, for departure points
+    std::vector<FaceCentres> face_centres_;             ///< the same for finite volumes
     FluidState state_;
     FluidFields fields_;
     tasks::Part<FluidClock> clock_;

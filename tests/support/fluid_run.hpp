@@ -131,6 +131,12 @@ public:
         }
         return outflow / flux;
     }
+    /// Largest share of the fluid of a cell that leaves it per time [1/s].
+    [[nodiscard]] double outflow_rate() const
+    {
+        return core::max_over_blocks(
+            mesh_, ranks_, [&](core::LocalBlock b) { return physics::largest_outflow_rate(mesh_.geometry(b), step_.state().flux.on(b)); });
+    }
     [[nodiscard]] physics::MomentumBudget budget() const
     {
         physics::MomentumBudget sum;

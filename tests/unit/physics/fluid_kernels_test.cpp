@@ -106,6 +106,10 @@ TEST_CASE("the time step is bound by the tightest limit")
     CHECK(physics::time_step_limit({4, 5}, options).binding == "distortion");
     // From rest, 0.8 cells at 5 cells/s2: 5 dt2 = 0.8.
     CHECK(physics::time_step_limit({0, 0, 5}, options).dt == test::relative(0.4));
+    // Finite volumes: all fluid of a cell at 4 per second; from rest, at 2 per second squared.
+    CHECK(physics::outflow_step_limit({.outflow = 4}, options).dt == test::relative(0.25));
+    CHECK(physics::outflow_step_limit({.outflow_growth = 4}, options).dt == test::relative(0.5));
+    CHECK(physics::outflow_step_limit({.displacement = 1}, options).binding == "largest");
     // A quarter of a width of 4 mm at 0.1 m/s; from rest under 10 m/s2: 10 dt2 = 1 mm.
     CHECK(physics::grain_move_limit(0.25, 4e-3, 0.1, 0.0) == test::relative(0.01));
     CHECK(physics::grain_move_limit(0.25, 4e-3, 0.0, 10.0) == test::relative(0.01));

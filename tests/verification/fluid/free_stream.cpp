@@ -40,6 +40,11 @@ TEST_CASE("a uniform flow stays uniform on a wavy box")
 {
     CHECK(change(wavy_box(0.3), water_of(1e-3), 0.8) < 1e-12);
     CHECK(change(wavy_box(0.3), water_of(0), 0.3) < 1e-12);
+    physics::FluidParameters by_volumes = water_of(1e-3);
+    by_volumes.advection = physics::AdvectionScheme::finite_volume;
+    CHECK(change(wavy_box(0.3), by_volumes, 0.3) < 1e-12);
+    by_volumes.viscosity = 0;
+    CHECK(change(wavy_box(0.3), by_volumes, 0.3) < 1e-12);
 }
 
 TEST_CASE("a uniform flow stays uniform on the pipe, singular edges and skewed cells included")
@@ -47,4 +52,6 @@ TEST_CASE("a uniform flow stays uniform on the pipe, singular edges and skewed c
     physics::FluidParameters water = water_of(1e-3);
     water.boundaries["wall"].velocity = uniform;
     CHECK(change(test::pipe_across(12, 1, 8, 2), water, 0.5) < 1e-12);
+    water.advection = physics::AdvectionScheme::finite_volume;
+    CHECK(change(test::pipe_across(12, 1, 8, 2), water, 0.2) < 1e-12);
 }

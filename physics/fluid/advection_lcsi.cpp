@@ -4,6 +4,7 @@
 #include "core/base/error.hpp"
 #include "core/grid/halo_map.hpp"
 #include "physics/fluid/hermite.hpp"
+#include "physics/fluid/index_space.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -133,29 +134,6 @@ private:
     }
 };
 
-/// Row pointers of d(xi_m)/d(x_j): the first letter is m, the second j.
-struct InverseJacobianRow {
-    const double *xx, *xy, *xz, *yx, *yy, *yz, *zx, *zy, *zz;
-    InverseJacobianRow(const core::BlockGeometry& g, int j, int k)
-        : xx(at(g, 0, 0, j, k)),
-          xy(at(g, 0, 1, j, k)),
-          xz(at(g, 0, 2, j, k)),
-          yx(at(g, 1, 0, j, k)),
-          yy(at(g, 1, 1, j, k)),
-          yz(at(g, 1, 2, j, k)),
-          zx(at(g, 2, 0, j, k)),
-          zy(at(g, 2, 1, j, k)),
-          zz(at(g, 2, 2, j, k))
-    {
-    }
-
-private:
-    static const double* at(const core::BlockGeometry& g, std::size_t m, std::size_t n, int j, int k)
-    {
-        return g.inverse_jacobian[m][n].view().row(j, k);
-    }
-};
-
 /// Calls body(first cell, number of cells) for every chunk of every row.
 template <class Body>
 void for_each_chunk(core::Extents n, Body body)
@@ -179,18 +157,12 @@ void transport_velocity(const core::BlockGeometry& geometry, core::FaceView<cons
             double *x = row(out.x), *y = row(out.y), *z = row(out.z);
 #pragma omp simd
             for (int i = 0; i < n.ni; ++i) {
-                // Cramer's rule for A w = rates, A the inverse Jacobian.
-                const double xx = a.yy[i] * a.zz[i] - a.yz[i] * a.zy[i], xy = a.yz[i] * a.zx[i] - a.yx[i] * a.zz[i],
-                             xz = a.yx[i] * a.zy[i] - a.yy[i] * a.zx[i];
-                const double yx = a.xz[i] * a.zy[i] - a.xy[i] * a.zz[i], yy = a.xx[i] * a.zz[i] - a.xz[i] * a.zx[i],
-                             yz = a.xy[i] * a.zx[i] - a.xx[i] * a.zy[i];
-                const double zx = a.xy[i] * a.yz[i] - a.xz[i] * a.yy[i], zy = a.xz[i] * a.yx[i] - a.xx[i] * a.yz[i],
-                             zz = a.xx[i] * a.yy[i] - a.xy[i] * a.yx[i];
-                const double scale = 0.5 / (volume[i] * (a.xx[i] * xx + a.xy[i] * xy + a.xz[i] * xz));
-                const double p = scale * (fi[i] + fi[i + 1]), q = scale * (low_j[i] + high_j[i]), r = scale * (low_k[i] + high_k[i]);
-                x[i] = xx * p + yx * q + zx * r;
-                y[i] = xy * p + yy * q + zy * r;
-                z[i] = xz * p + yz * q + zz * r;
+                const double scale = 0.5 / volume[i];
+                const Components rates{scale * (fi[i] + fi[i + 1]), scale * (low_j[i] + high_j[i]), scale * (low_k[i] + high_k[i])};
+                const Components w = a.in_space(i, rates);
+                x[i] = w.x;
+                y[i] = w.y;
+                z[i] = w.z;
             }
         }
 }
@@ -209,11 +181,11 @@ void index_velocity(const core::BlockGeometry& geometry, core::VectorView<const 
             double *x = row(index_velocity.x), *y = row(index_velocity.y), *z = row(index_velocity.z);
 #pragma omp simd
             for (int i = -1; i <= n.ni; ++i) {
-                const double p = wx[i] + change.weight * (ux[i] - bx[i]), q = wy[i] + change.weight * (uy[i] - by[i]),
-                             r = wz[i] + change.weight * (uz[i] - bz[i]);
-                x[i] = a.xx[i] * p + a.xy[i] * q + a.xz[i] * r;
-                y[i] = a.yx[i] * p + a.yy[i] * q + a.yz[i] * r;
-                z[i] = a.zx[i] * p + a.zy[i] * q + a.zz[i] * r;
+                const Components u = a.of(i, {wx[i] + change.weight * (ux[i] - bx[i]), wy[i] + change.weight * (uy[i] - by[i]),
+                                              wz[i] + change.weight * (uz[i] - bz[i])});
+                x[i] = u.x;
+                y[i] = u.y;
+                z[i] = u.z;
             }
         }
 }

@@ -77,7 +77,7 @@ void FluidStep::declare_departure(tasks::StageGraph& graph)
     };
     const auto in_range = [this](LocalBlock b, Vectors q, Vectors displacement, VectorView<double> out) {
         advect(geometry(b), q, displacement, singular_axes_[std::size_t(b)], out);
-        keep_in_range(q, displacement, out);
+        keep_in_range(geometry(b), q, displacement, out);
     };
     const auto declare = [&](auto kernel) {
         graph.each_block("advect velocity", kernel, reads(halo(f.source, 3), f.displacement), writes(f.advected));

@@ -5,6 +5,7 @@
 #include "physics/fluid/boundary_halo.hpp"
 #include "physics/fluid/cell_loops.hpp"
 #include "physics/fluid/face_flux.hpp"
+#include "physics/fluid/sub_face_momentum.hpp"
 
 namespace physics {
 namespace {
@@ -57,6 +58,7 @@ void momentum_outflow(const MomentumTransport& transport, core::FaceView<const d
     for (int c = 0; c < 3; ++c) {
         const CarriedValue value{carried.velocity.component(c), carried.middle.component(c), carried.gradients[std::size_t(c)]};
         transport_flux(transport.geometry, transport.centres, flux, value, scratch);
+        close_joined(transport.geometry, scratch);
         boundary_momentum_flux(transport, c, flux, carried.middle, scratch);
         net_outflow(scratch, outflow.component(c));
     }

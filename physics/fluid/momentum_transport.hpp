@@ -26,7 +26,7 @@ struct CarriedVelocity {
     std::array<core::VectorView<const double>, 3> gradients; ///< of velocity [1/s]
 };
 
-/// Outflow of momentum from each cell, per unit density [m4/s2].
+/// Outflow of momentum from each cell but through sub-faces (sub_face_momentum.hpp), per unit density [m4/s2].
 /// @param flux          In the middle of the step [m3/s].
 /// @param scratch       For the flux of one component.
 /// @param[out] outflow  Interior.

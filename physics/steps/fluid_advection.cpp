@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 // FluidStep: how the flow carries its velocity, from departure points or by fluxes through faces.
-#include "core/base/error.hpp"
 #include "physics/fluid/advection_lcsi.hpp"
 #include "physics/fluid/boundary_paths.hpp"
 #include "physics/fluid/cell_loops.hpp"
 #include "physics/fluid/quasi_monotone.hpp"
+#include "physics/fluid/sub_face_momentum.hpp"
 #include "physics/steps/fluid_step.hpp"
 
 namespace physics {
@@ -19,9 +19,6 @@ void FluidStep::prepare_advection()
         for (const core::BlockId b : mesh_.own()) singular_axes_.push_back(singular_axes(mesh_.topology(), b));
         return;
     }
-    core::require<core::ConfigError>(mesh_.topology().joints.interfaces.empty(),
-                                     "advection by finite volumes cannot cross sides of blocks whose points do not match yet: let them "
-                                     "match, or take fluid.advection: lcsi");
     for (const core::BlockId b : mesh_.own()) face_centres_.push_back(face_centres(mesh_.vertices(b)));
     state_.flux_before.allocate();
 }
@@ -116,6 +113,24 @@ void FluidStep::declare_finite_volumes(tasks::StageGraph& graph)
         reads(beside(state_.velocity), beside(f.middle), beside(f.gradient_x), beside(f.gradient_y), beside(f.gradient_z), f.middle_flux,
               f.source, clock_),
         writes(f.face_scratch, f.advected));
+    if (!mesh_.topology().joints.interfaces.empty()) declare_sub_face_momentum(graph);
+}
+
+void FluidStep::declare_sub_face_momentum(tasks::StageGraph& graph)
+{
+    auto& f = fields_;
+    graph.each_block(
+        "flux beyond velocity in the middle of the step",
+        [this](LocalBlock b, FaceView<const double> flux, Vectors middle, VectorView<double> beyond) {
+            flux_beyond_interpolated(geometry(b), flux, middle, beyond);
+        },
+        reads(f.middle_flux, beside(f.middle)), writes(f.beyond_middle));
+    graph.each_block(
+        "advect velocity through sub-faces",
+        [this](LocalBlock b, Vectors middle, Vectors beyond, const FluidClock& clock, VectorView<double> advected) {
+            carry_through_sub_faces(geometry(b), clock.dt, middle, beyond, advected);
+        },
+        reads(beside(f.middle), beside(f.beyond_middle), clock_), updates(f.advected));
 }
 
 } // namespace physics

@@ -90,11 +90,11 @@ public:
 
 private:
     using Vectors = core::VectorView<const double>;
-    /// @throws ConfigError if the scheme cannot work on this mesh.
     void prepare_advection();
     void declare_source(tasks::StageGraph& graph);
     void declare_departure(tasks::StageGraph& graph);
     void declare_finite_volumes(tasks::StageGraph& graph);
+    void declare_sub_face_momentum(tasks::StageGraph& graph);
     /// @throws ConfigError if more flows in than out, or the other way.
     void require_balance(const core::Communicator& ranks) const;
     void velocity_gradients(core::LocalBlock b, Vectors u, const std::array<core::VectorView<double>, 3>& out) const;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Momentum is accounted for, and steady flow in the pipe has the friction it must have (NUMERICS C1.6).
 #include "tests/support/fluid_run.hpp"
+#include "tests/support/joined_boxes.hpp"
 #include "tests/support/relative.hpp"
 #include <doctest/doctest.h>
 
@@ -71,6 +72,19 @@ TEST_CASE("finite volumes keep the momentum of a periodic box to round-off, and 
         open.step(0.1);
         CHECK(open.budget().advection.norm() < 1e-13 * amount);
         CHECK(open.budget().through.norm() > 1e-5 * amount); // what is accounted for is not nothing
+    }
+}
+
+TEST_CASE("finite volumes keep momentum through sides whose points do not match")
+{
+    physics::FluidParameters water;
+    water.viscosity = 1e-3;
+    water.advection = physics::AdvectionScheme::finite_volume;
+    test::FluidRun run(test::wavy_halves({{5, 8, 8}, {6, 12, 20}}, 0.3, 37), water);
+    run.start([](const core::Vec3& x) { return core::Vec3(1 + std::sin(x.y()), std::sin(x.x() + x.z()), std::cos(x.x())); });
+    for (int n = 0; n < 10; ++n) {
+        run.step(0.3 / run.outflow_rate());
+        CHECK(run.budget().advection.norm() < 1e-14 * run.mesh().total_volume()); // round-off of a sum over 1,760 cells
     }
 }
 

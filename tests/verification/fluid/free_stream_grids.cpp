@@ -7,6 +7,7 @@
 #include "core/grid/elliptic_grid.hpp"
 #include "core/grid/stepped_channel.hpp"
 #include "tests/support/fluid_run.hpp"
+#include "tests/support/joined_boxes.hpp"
 #include <doctest/doctest.h>
 
 namespace {
@@ -82,11 +83,17 @@ TEST_CASE("a uniform flow stays uniform on the grid of every generator")
     CHECK(change(core::make_stepped_channel(trench)) < 1e-12);
 }
 
-TEST_CASE("a uniform flow stays uniform in finite volumes on every grid whose points match")
+TEST_CASE(
+    "a uniform flow stays uniform in finite volumes on the grid of every generator, and in wavy turned boxes whose points do not match")
 {
     constexpr auto scheme = physics::AdvectionScheme::finite_volume;
     CHECK(change(core::make_annulus({0.5, 1, 1, {6, 4, 18}, {1, 1, 3}, 1.4, true}), scheme) < 1e-12);
     CHECK(change(core::make_bent_pipe(waving_pipe()), scheme) < 1e-12);
+    core::SteppedChannel trench;
+    trench.periodic_along = trench.periodic_across = true;
+    CHECK(change(core::make_stepped_channel(trench), scheme) < 1e-12);
+    for (const auto advection : {scheme, physics::AdvectionScheme::lcsi})
+        CHECK(change(test::wavy_halves({{5, 8, 8}, {6, 12, 20}}, 0.3, 37), advection) < 1e-12);
 }
 
 TEST_CASE("a uniform flow stays uniform on elliptic grids with thin cells at the walls")

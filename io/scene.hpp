@@ -25,7 +25,8 @@ inline constexpr std::array<std::string_view, 3> pipe_size_words{"small", "mediu
 enum class Axis { axial, x, y, z };
 inline constexpr std::array<std::string_view, 4> axis_words{"axial", "x", "y", "z"};
 
-using physics::BoundaryKind;
+using physics::AdvectionScheme, physics::BoundaryKind;
+inline constexpr std::array<std::string_view, 3> advection_scheme_words{"lcsi", "lcsi_spline", "finite_volume"};
 inline constexpr std::array<std::string_view, 6> boundary_kind_words{"wall", "slip", "symmetry", "inflow", "outflow", "pressure"};
 
 enum class Arrangement { random, lattice, packed };
@@ -189,9 +190,6 @@ struct TurbulenceKeys {
     double roughness = 0.0;       ///< of walls, as height of sand grains [m]
     bool operator==(const TurbulenceKeys&) const = default;
 };
-
-using physics::AdvectionScheme;
-inline constexpr std::array<std::string_view, 3> advection_scheme_words{"lcsi", "lcsi_spline", "finite_volume"};
 
 struct Fluid {
     Material material;

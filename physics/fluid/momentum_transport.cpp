@@ -15,15 +15,16 @@ void boundary_momentum_flux(const MomentumTransport& transport, int component, c
                             core::VectorView<const double> middle, core::FaceView<double> out)
 {
     for (const core::Side side : core::all_sides) {
-        const BlockSide& boundary = transport.walls.at(side);
-        if (!boundary.kind) continue;
+        const BlockSide &before = transport.walls_before.at(side), &after = transport.walls.at(side);
+        if (!after.kind) continue;
         const auto f = flux.along(core::axis_of(side));
         const auto o = out.along(core::axis_of(side));
         for_each_side_face(transport.geometry.cells, side, [&](int i, int j, int k) {
             const core::Index3 face{i, j, k}, c = cell_at_face(face, side);
             const core::Vec3 inside(middle.x[c], middle.y[c], middle.z[c]);
             const double outward = core::is_high(side) ? f[face] : -f[face];
-            o[face] = f[face] * carried_through(boundary, c, outward, inside)[component];
+            const core::Vec3 twice = carried_through(before, c, outward, inside) + carried_through(after, c, outward, inside);
+            o[face] = f[face] * 0.5 * twice[component];
         });
     }
 }

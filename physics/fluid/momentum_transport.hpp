@@ -32,7 +32,7 @@ struct CarriedVelocity {
 /// @param[out] outflow  Interior.
 struct MomentumTransport {
     const core::BlockGeometry& geometry;
-    const BlockWalls& walls;
+    const BlockWalls &walls_before, &walls; ///< at the start and at the end of the step
     const FaceCentres& centres;
 };
 void momentum_outflow(const MomentumTransport& transport, core::FaceView<const double> flux, const CarriedVelocity& carried,

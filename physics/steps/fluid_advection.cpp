@@ -103,7 +103,7 @@ void FluidStep::declare_finite_volumes(tasks::StageGraph& graph)
         "advect velocity",
         [this](LocalBlock b, Vectors u, Vectors middle, Vectors gx, Vectors gy, Vectors gz, FaceView<const double> flux, Vectors q,
                const FluidClock& clock, FaceView<double> scratch, VectorView<double> out) {
-            const MomentumTransport transport{geometry(b), walls_of(b), face_centres_[std::size_t(b)]};
+            const MomentumTransport transport{geometry(b), old_walls_of(b), walls_of(b), face_centres_[std::size_t(b)]};
             momentum_outflow(transport, flux, {u, middle, {gx, gy, gz}}, scratch, out);
             for (int c = 0; c < 3; ++c)
                 map_cells(

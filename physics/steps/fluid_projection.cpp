@@ -154,7 +154,9 @@ void FluidStep::declare_budget(tasks::StageGraph& graph)
             const double volume = sum_cells([](double v) { return v; }, geometry(b).volume.view());
             budget.before = sum(before);
             budget.after = sum(u);
-            budget.through = dt * through_flow(geometry(b), old_walls_of(b), through, brought);
+            const core::Vec3 by_old_walls = through_flow(geometry(b), old_walls_of(b), through, brought);
+            budget.through =
+                dt * (by_finite_volumes() ? 0.5 * (by_old_walls + through_flow(geometry(b), walls_of(b), through, brought)) : by_old_walls);
             budget.advection = sum(advected) - sum(source) - budget.through;
             budget.drive = dt * volume * mean_acceleration(parameters_.drive, drive, clock.time, dt);
             budget.pressure =

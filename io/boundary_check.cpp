@@ -84,12 +84,8 @@ void check_boundaries(const Scene& scene, const Locations& locations, Problems& 
         if (std::any_of(all.begin(), all.begin() + std::ptrdiff_t(n), [&](const Boundary& b) { return b.at == all[n].at; }))
             problems.add(locations.at(path + ".at"), fmt::format("'{}' is given twice", all[n].at), "keep one of the two");
         check_keys(all[n], path, locations, problems);
-        if (all[n].over_time) {
-            if (locations.good("run.until")) check_course(*all[n].over_time, path + ".over_time", scene.run.until, locations, problems);
-            if (!scene.particles.empty())
-                problems.add(locations.at(path + ".over_time"), "particles beside walls that change in time cannot be computed yet",
-                             "remove it, or leave the particles out");
-        }
+        if (all[n].over_time && locations.good("run.until"))
+            check_course(*all[n].over_time, path + ".over_time", scene.run.until, locations, problems);
         const bool open = all[n].kind == BoundaryKind::inflow || physics::gives_pressure(all[n].kind);
         if (open && !scene.particles.empty())
             problems.add(locations.at(path + ".kind"), "particles beside boundaries that fluid flows through cannot be computed yet",

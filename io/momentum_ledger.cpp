@@ -155,7 +155,8 @@ void MomentumLedger::sum_walls(core::LocalBlock b, std::span<double> sum) const
     add_vector(sum, of_push, dt * physics::wall_push(geometry, walls, fluid.state().pressure.on(b), 1));
     if (!fluid.viscosity_system()) return;
     const physics::FaceFactors factors = fluid.fields().viscosity_ratio.on(b);
-    const core::Vec3 old_time = physics::wall_friction(geometry, walls, fluid.state().velocity_before.on(b), factors);
+    const auto& old_walls = fluid.walls_before()[std::size_t(b)];
+    const core::Vec3 old_time = physics::wall_friction(geometry, old_walls, fluid.state().velocity_before.on(b), factors);
     const core::Vec3 new_time = physics::wall_friction(geometry, walls, fluid.fields().predicted.on(b), factors);
     add_vector(sum, of_friction, dt * viscosity * ((1 - implicit_) * old_time + implicit_ * new_time));
 }

@@ -181,6 +181,7 @@ void World::put_back()
 void World::initialise()
 {
     if (!coupling_) return;
+    fluid_->begin_step();
     if (turbulence_) tasks::run(ranks_, core::SerialTeam(), [&](tasks::Lane& lane) { return turbulence_->find_viscosity(lane); });
     tasks::run(ranks_, core::SerialTeam(), [&](tasks::Lane& lane) { return coupling_->initialise(lane); });
     if (scalars_ && clock().step == 0) scalars_->begin(coupling_->fields().fraction);

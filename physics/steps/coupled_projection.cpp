@@ -212,6 +212,7 @@ void CoupledStep::declare_correction(tasks::StageGraph& graph)
                     change.component(c), response, gradient.component(c));
         },
         reads(f.change, f.response, fluid.psi_gradient), updates(state.velocity));
+    fluid_.declare_end_of_step(graph);
     graph.each_block(
         "acceleration of fluid",
         [](LocalBlock, Vectors u, Vectors advected, const FluidClock& clock, VectorView<double> out) {

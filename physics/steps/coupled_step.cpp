@@ -38,9 +38,6 @@ CoupledStep::CoupledStep(const core::Locator& locator, const core::Communicator&
 {
     core::require<core::ConfigError>(mesh_.topology().joints.interfaces.empty(),
                                      "grains in blocks whose points do not match where they touch are not computed yet");
-    // The velocity that grains are told has the walls of the start of a step beside it.
-    core::require<core::ConfigError>(&fluid.walls() == &fluid.walls_before(),
-                                     "grains beside walls whose velocity changes in time are not computed yet");
     fields_.fraction.allocate();
     fields_.acceleration.allocate();
     fields_.ledger.allocate();

@@ -124,6 +124,7 @@ void FluidStep::declare_correction(tasks::StageGraph& graph)
                 u, [](double x, double gradient) { return x - gradient; }, predicted, g);
         },
         reads(f.predicted, f.psi_gradient), writes(state_.velocity));
+    declare_end_of_step(graph);
     declare_budget(graph); // of the pressure that has acted
     graph.each_block(
         "correct pressure",

@@ -47,14 +47,25 @@ FluidStep::FluidStep(const core::Mesh& mesh, const core::Communicator& ranks, ta
 void FluidStep::require_balance(const core::Communicator& ranks) const
 {
     if (any_boundary(mesh_, parameters_.boundaries, gives_pressure)) return;
-    const auto sum = [&](double GivenFlux::*part) {
-        return core::sum_over_blocks(mesh_, ranks, [&](LocalBlock b) { return given_flux(geometry(b), walls_of(b)).*part; });
-    };
-    const double net = sum(&GivenFlux::net), all = sum(&GivenFlux::magnitudes);
-    constexpr double round_off = 1e-9; // of grids read from files in single precision, over what flows in and out
-    core::require<core::ConfigError>(std::abs(net) <= round_off * all,
-                                     core::text(std::abs(net), net > 0 ? " m3/s more flow out of" : " m3/s more flow into",
-                                                " the domain than the other way, and no boundary gives way: let one be an outflow"));
+    std::vector<TimeCourse> courses{SteadyCourse{}};
+    for (const auto& [name, said] : parameters_.boundaries)
+        if (std::find(courses.begin(), courses.end(), said.course) == courses.end()) courses.push_back(said.course);
+    // At all times: the boundaries of each course must balance by themselves.
+    for (const TimeCourse& course : courses) {
+        std::vector<BlockWalls> walls = walls_;
+        for (BlockWalls& block : walls)
+            for (BlockSide& side : block.sides)
+                if (side.course != course) side.velocity = SideVectors();
+        const auto sum = [&](double GivenFlux::*part) {
+            return core::sum_over_blocks(mesh_, ranks, [&](LocalBlock b) { return given_flux(geometry(b), walls[std::size_t(b)]).*part; });
+        };
+        const double net = sum(&GivenFlux::net), all = sum(&GivenFlux::magnitudes);
+        constexpr double round_off = 1e-9; // of grids read from files in single precision, over what flows in and out
+        core::require<core::ConfigError>(std::abs(net) <= round_off * all,
+                                         core::text(std::abs(net), net > 0 ? " m3/s more flow out of" : " m3/s more flow into",
+                                                    " the domain than the other way", courses.size() > 1 ? " at some time" : "",
+                                                    ", and no boundary gives way: let one be an outflow"));
+    }
 }
 
 void FluidStep::begin_step()
@@ -129,8 +140,17 @@ void FluidStep::declare_predictor(tasks::StageGraph& graph)
 
 void FluidStep::declare_boundaries(tasks::StageGraph& graph)
 {
-    graph.boundary(state_.velocity, "walls of velocity",
-                   [this](LocalBlock b, VectorView<double> u) { mirror_velocity(old_walls_of(b), 3, u); });
+    if (full_walls_.empty()) {
+        graph.boundary(state_.velocity, "walls of velocity",
+                       [this](LocalBlock b, VectorView<double> u) { mirror_velocity(walls_of(b), 3, u); });
+    } else {
+        graph.whole(
+            "start of step", [](tasks::Lane&, Moment& moment) { moment = Moment::start; }, writes(moment_));
+        graph.boundary(
+            state_.velocity, "walls of velocity at its time",
+            [this](LocalBlock b, VectorView<double> u, const Moment& moment) { mirror_velocity(walls_at(moment, b), 3, u); },
+            reads(moment_));
+    }
     graph.boundary(state_.velocity_before, "walls of velocity before",
                    [this](LocalBlock b, VectorView<double> u) { mirror_velocity(old_walls_of(b), 1, u); });
     graph.boundary(fields_.transport, "walls of transport velocity",
@@ -146,6 +166,13 @@ void FluidStep::declare_boundaries(tasks::StageGraph& graph)
     graph.boundary(
         fields_.source, "walls of velocity to advect",
         [this](LocalBlock b, VectorView<double> q, Vectors u) { mirror_source(walls_of(b), 3, u, q); }, reads(halo(state_.velocity, 3)));
+}
+
+void FluidStep::declare_end_of_step(tasks::StageGraph& graph)
+{
+    if (full_walls_.empty()) return;
+    graph.whole(
+        "end of step", [](tasks::Lane&, Moment& moment) { moment = Moment::end; }, updates(moment_));
 }
 
 void FluidStep::declare_viscous_guess(tasks::StageGraph& graph)

@@ -26,6 +26,8 @@ public:
 
     /// Sets what holds on boundaries that change in time for the step that the clock describes: to be called before it is run.
     void begin_step();
+    /// From here on velocities are those of the end of the step, and the walls beside them too.
+    void declare_end_of_step(tasks::StageGraph& graph);
     /// Declares all stages. Allocates the state; `budget()` is computed when the label "budget" is due.
     void declare(tasks::StageGraph& graph);
     /// What holds at walls: before any stage that reads a halo.
@@ -90,6 +92,7 @@ public:
 
 private:
     using Vectors = core::VectorView<const double>;
+    enum class Moment { start, end };
     void prepare_advection();
     void declare_source(tasks::StageGraph& graph);
     void declare_departure(tasks::StageGraph& graph);
@@ -105,15 +108,20 @@ private:
     void declare_budget(tasks::StageGraph& graph);
     [[nodiscard]] const core::BlockGeometry& geometry(core::LocalBlock b) const { return mesh_.geometry(b); }
     [[nodiscard]] const BlockWalls& walls_of(core::LocalBlock b) const { return walls_[std::size_t(b)]; }
+    [[nodiscard]] const BlockWalls& walls_at(Moment moment, core::LocalBlock b) const
+    {
+        return moment == Moment::start ? old_walls_of(b) : walls_of(b);
+    }
     [[nodiscard]] const BlockWalls& old_walls_of(core::LocalBlock b) const { return walls_before()[std::size_t(b)]; }
 
     const core::Mesh& mesh_;
     tasks::HaloFiller& halos_;
     FluidParameters parameters_;
     std::vector<BlockWalls> walls_;
-    std::vector<BlockWalls> walls_before_, full_walls_; ///< empty unless some change in time
-    std::vector<std::array<bool, 3>> singular_axes_;    ///< of each block of this rank, for departure points
-    std::vector<FaceCentres> face_centres_;             ///< the same for finite volumes
+    std::vector<BlockWalls> walls_before_, full_walls_;   ///< empty unless some change in time
+    tasks::Value<Moment> moment_{"time of the velocity"}; ///< that the state has in the step
+    std::vector<std::array<bool, 3>> singular_axes_;      ///< of each block of this rank, for departure points
+    std::vector<FaceCentres> face_centres_;               ///< the same for finite volumes
     FluidState state_;
     FluidFields fields_;
     tasks::Part<FluidClock> clock_;

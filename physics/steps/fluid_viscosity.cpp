@@ -57,7 +57,7 @@ tasks::Job FluidStep::find_velocity_gradients(tasks::Lane& lane)
     co_await halos_.fill(lane, &state_.velocity, core::beside);
     for (auto* g : {&f.gradient_x, &f.gradient_y, &f.gradient_z}) g->allocate();
     for (LocalBlock b = 0; b < mesh_.own_count(); ++b) {
-        mirror_velocity(walls_of(b), 1, state_.velocity.on(b));
+        mirror_velocity(old_walls_of(b), 1, state_.velocity.on(b)); // between steps, begin_step() has been called
         velocity_gradients(b, state_.velocity.on(b), {f.gradient_x.on(b), f.gradient_y.on(b), f.gradient_z.on(b)});
     }
 }

@@ -28,6 +28,19 @@ run: { until: 40 ms }
 output: { checkpoint: never, results: never, pictures: never }
 """
 
+LID = """
+name: grains below a lid that moves to and fro
+grid: { box: { size: [16 mm, 16 mm, 16 mm], cells: [8, 8, 8], blocks: [2, 2, 1] }, periodic: [x, z] }
+fluid:
+  oil: { density: 1000 kg/m3, viscosity: 1e-4 m2/s }
+  boundaries: [{ at: y_high, velocity: [0.2 m/s, 0 m/s, 0 m/s], over_time: { frequency: 200 Hz } }]
+gravity: { direction: -y }
+particles: [{ name: grains, count: 60, diameter: 2 mm, density: 2000 kg/m3 }]
+contact: { stiffness: 500 N/m }
+run: { until: 10 ms, time_step: 0.5 ms }
+output: { checkpoint: never, results: never, pictures: never }
+"""
+
 
 @dataclasses.dataclass
 class Case:
@@ -50,6 +63,7 @@ def cases(long):
     few = ["particles.S.count=10", "particles.L.count=5", "run.settle=0 ms", "coupling.mode=concurrent"]
     all_cases = {"pipe": Case(pipe_file, pipe, 1, 2), "coarse": Case(pipe_file, [*pipe, "coupling.mode=coarse"], 1, 2),
                  "few": Case(pipe_file, [*pipe, *few], 1, 2), "dry": Case(DRY_BED, [], 4, 8)}
+    all_cases["lid"] = Case(LID, [], 4, 8)
     # The same pipe, its flow prescribed: keys of a drive exclude each other, so the text has another one.
     text = pathlib.Path(pipe_file, "scene.yaml").read_text()
     drive = "drive: { bulk_velocity: 0.5 m/s, over_time: { frequency: 40 Hz, mean: 1, amplitude: 0.5 } }"

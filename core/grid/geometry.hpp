@@ -52,6 +52,8 @@ struct BlockGeometry {
     /// 1 where the six-point stencils reach round a singular edge, else 0.
     Array3<unsigned char> near_singular;
 
+    /// Do fluxes of gradients follow from the two cells beside each face alone?
+    [[nodiscard]] bool is_straight() const { return sub_faces.empty() && face[0].straight && face[1].straight && face[2].straight; }
     [[nodiscard]] Vec3 centre(int i, int j, int k) const { return {centre_x(i, j, k), centre_y(i, j, k), centre_z(i, j, k)}; }
     [[nodiscard]] Vec3 area(int axis, int i, int j, int k) const
     {

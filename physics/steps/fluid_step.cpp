@@ -13,6 +13,15 @@ namespace physics {
 using core::FaceView, core::LocalBlock, core::VectorView, core::View;
 using tasks::beside, tasks::halo, tasks::reads, tasks::updates, tasks::writes;
 
+namespace {
+
+bool all_straight(const core::Mesh& mesh, const core::Communicator& ranks)
+{
+    return core::max_over_blocks(mesh, ranks, [&](LocalBlock b) { return mesh.geometry(b).is_straight() ? 0.0 : 1.0; }) < 1.0;
+}
+
+} // namespace
+
 FluidStep::FluidStep(const core::Mesh& mesh, const core::Communicator& ranks, tasks::HaloFiller& halos, const FluidParameters& parameters)
     : mesh_(mesh),
       halos_(halos),
@@ -22,6 +31,7 @@ FluidStep::FluidStep(const core::Mesh& mesh, const core::Communicator& ranks, ta
       fields_(mesh),
       clock_("fluid clock", state_.clock),
       drive_("drive", state_.clock.drive),
+      is_straight_(all_straight(mesh, ranks)),
       pressure_system_(system_context(), ranks, parameters.tolerances),
       budget_("momentum budget", std::size_t(mesh.own_count()))
 {
@@ -77,7 +87,7 @@ void FluidStep::begin_step()
 SystemContext FluidStep::system_context() const
 {
     const auto any = [this](auto holds) { return any_boundary(mesh_, parameters_.boundaries, holds); };
-    return {mesh_, walls_, halos_, any(gives_pressure), any(slips), &fields_.viscosity_ratio};
+    return {mesh_, walls_, halos_, any(gives_pressure), any(slips), &fields_.viscosity_ratio, is_straight_};
 }
 
 void FluidStep::declare(tasks::StageGraph& graph)
@@ -87,7 +97,7 @@ void FluidStep::declare(tasks::StageGraph& graph)
     declare_expected_drive(graph);
     declare_pressure_gradient(graph);
     if (viscosity_system_) {
-        declare_velocity_gradients(graph);
+        if (viscosity_needs_gradients()) declare_velocity_gradients(graph);
         declare_viscous_acceleration(graph, fields_.viscous);
     } else if (by_finite_volumes()) declare_velocity_gradients(graph);
     declare_transport(graph);

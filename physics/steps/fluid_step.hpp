@@ -100,6 +100,8 @@ private:
     void declare_sub_face_momentum(tasks::StageGraph& graph);
     /// @throws ConfigError if more flows in than out, or the other way.
     void require_balance(const core::Communicator& ranks) const;
+    /// Do viscous fluxes need the gradients in cells?
+    [[nodiscard]] bool viscosity_needs_gradients() const { return !is_straight_ || fields_.viscosity_ratio.used(); }
     void velocity_gradients(core::LocalBlock b, Vectors u, const std::array<core::VectorView<double>, 3>& out) const;
     void viscous_acceleration(core::LocalBlock b, Vectors u, const std::array<Vectors, 3>& gradients, core::FaceView<double> scratch,
                               core::VectorView<double> out) const;
@@ -126,6 +128,7 @@ private:
     FluidFields fields_;
     tasks::Part<FluidClock> clock_;
     tasks::Part<DriveState> drive_;
+    bool is_straight_; ///< all blocks of the domain
     PressureSystem pressure_system_;
     std::unique_ptr<ViscositySystem> viscosity_system_; ///< none without viscosity
     std::unique_ptr<FlowControl> flow_control_;

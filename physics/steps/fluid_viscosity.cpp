@@ -40,9 +40,19 @@ void FluidStep::declare_velocity_gradients(tasks::StageGraph& graph)
 
 void FluidStep::declare_viscous_acceleration(tasks::StageGraph& graph, core::VectorField& acceleration)
 {
+    constexpr const char* name = "viscous acceleration";
     auto& f = fields_;
+    if (!viscosity_needs_gradients()) {
+        graph.each_block(
+            name,
+            [this](LocalBlock b, Vectors u, FaceView<double> scratch, VectorView<double> out) {
+                viscous_acceleration(b, u, {}, scratch, out);
+            },
+            reads(beside(state_.velocity)), writes(f.face_scratch, acceleration));
+        return;
+    }
     graph.each_block(
-        "viscous acceleration",
+        name,
         [this](LocalBlock b, Vectors u, Vectors gx, Vectors gy, Vectors gz, const FaceFactors&, FaceView<double> scratch,
                VectorView<double> out) {
             viscous_acceleration(b, u, {gx, gy, gz}, scratch, out);

@@ -32,9 +32,11 @@ tasks::Job Unknown::form_fluxes(tasks::Lane& lane, std::optional<int> component,
         const auto& walls = context_.walls[std::size_t(b)];
         if (component) mirror_velocity_change(walls, *component, value.on(b));
         else mirror_pressure_change(walls, 1, value.on(b));
-        physics::gradient(geometry, component ? geometry.wall_gradient : pressure_matrices(geometry, walls), value.on(b), gradient.on(b));
+        if (!context_.is_straight)
+            physics::gradient(geometry, component ? geometry.wall_gradient : pressure_matrices(geometry, walls), value.on(b),
+                              gradient.on(b));
     });
-    co_await context_.halos.fill(lane, &gradient, core::beside);
+    if (!context_.is_straight) co_await context_.halos.fill(lane, &gradient, core::beside);
     for_blocks(lane, [&](core::LocalBlock b) {
         const auto& geometry = context_.mesh.geometry(b);
         const auto& walls = context_.walls[std::size_t(b)];

@@ -22,6 +22,7 @@ struct SystemContext {
     bool pressure_is_given = false;                  ///< on some boundary of the domain
     bool walls_slip = false;                         ///< somewhere in the domain
     const ViscosityRatio* viscosity_ratio = nullptr; ///< none: 1 everywhere
+    bool is_straight = false;                        ///< All blocks of the domain are: no flux asks for the gradients in cells.
 
     [[nodiscard]] FaceFactors viscosity_factors(core::LocalBlock b) const
     {

@@ -75,9 +75,11 @@ tasks::Job ViscositySystem::form_residual(tasks::Lane& lane, const core::VectorF
         const auto& geometry = context_.mesh.geometry(b);
         const auto u = velocity.on(b);
         mirror_velocity(context_.walls[std::size_t(b)], 1, u);
-        for (int c = 0; c < 3; ++c) gradient(geometry, geometry.wall_gradient, u.component(c), gradient_[std::size_t(c)].on(b));
+        for (int c = 0; c < 3 && !context_.is_straight; ++c)
+            gradient(geometry, geometry.wall_gradient, u.component(c), gradient_[std::size_t(c)].on(b));
     });
-    for (auto& g : gradient_) co_await context_.halos.fill(lane, &g, core::beside);
+    if (!context_.is_straight)
+        for (auto& g : gradient_) co_await context_.halos.fill(lane, &g, core::beside);
     std::fill(sums_.begin(), sums_.end(), 0.0);
     unknown_.for_blocks(lane, [&](core::LocalBlock b) {
         const auto& geometry = context_.mesh.geometry(b);

@@ -6,6 +6,7 @@
 #include "physics/fluid/cell_loops.hpp"
 #include "physics/fluid/diffusion.hpp"
 #include "physics/fluid/gradient.hpp"
+#include "physics/fluid/viscous_residual.hpp"
 #include "physics/steps/krylov_job.hpp"
 
 #include <algorithm>
@@ -25,6 +26,7 @@ ViscositySystem::ViscositySystem(const SystemContext& context, const BlockLayout
       workspace_(layout, context.mesh.blocks(), std::ptrdiff_t(context.mesh.total_cells())),
       unknown_(context, layout, "velocity change"),
       transmissibility_sum_({"transmissibility sum", "m", 0, false}, context.mesh.own_cells()),
+      reciprocal_({"reciprocal of the diagonal", "1/m3", 0, false}, context.mesh.own_cells()),
       residual_({"residual of implicit velocity", "m4/s", 0, false}, context.mesh.own_cells()),
       gradient_{gradient_field(context.mesh), gradient_field(context.mesh), gradient_field(context.mesh)},
       flux_({"flux of implicit velocity", "m3/s", 0, false}, context.mesh.own_cells()),
@@ -33,6 +35,7 @@ ViscositySystem::ViscositySystem(const SystemContext& context, const BlockLayout
       sums_(3 * std::size_t(context.mesh.blocks()))
 {
     transmissibility_sum_.allocate();
+    reciprocal_.allocate();
     residual_.allocate();
     flux_.allocate();
     for (auto& g : gradient_) {
@@ -60,9 +63,8 @@ tasks::Job ViscositySystem::precondition(tasks::Lane& lane, std::span<const doub
 {
     unknown_.for_blocks(lane, [&](core::LocalBlock b) {
         map_cells(
-            layout_.view(b, out), [d = diffusion_](double r, double volume, double sum) { return r / (volume + d * sum); },
-            core::View<const double>(in.data() + layout_.origin(b), layout_.cells(b), 0), context_.mesh.geometry(b).volume.view(),
-            transmissibility_sum_.on(b));
+            layout_.view(b, out), [](double r, double d) { return r * d; },
+            core::View<const double>(in.data() + layout_.origin(b), layout_.cells(b), 0), reciprocal_.on(b));
     });
     co_return;
 }
@@ -86,17 +88,14 @@ tasks::Job ViscositySystem::form_residual(tasks::Lane& lane, const core::VectorF
         const auto volume = geometry.volume.view();
         const auto u = velocity.on(b), r = residual_.on(b);
         const auto known = change.on(b);
-        double* sum = sums_.data() + 3 * std::size_t(context_.mesh.global(b));
+        ViscousSums sums;
         for (int c = 0; c < 3; ++c) {
-            const auto inflow = r.component(c);
             diffusive_inflow(geometry, context_.walls[std::size_t(b)], u.component(c), gradient_[std::size_t(c)].on(b),
-                             context_.viscosity_factors(b), {flux_.on(b), inflow});
-            sum[1] += diffusion_ * diffusion_ * sum_cells([](double x) { return x * x; }, inflow);
-            map_cells(
-                inflow, [d = diffusion_](double in, double v, double x) { return d * in - v * x; }, inflow, volume, known.component(c));
-            sum[0] += sum_cells([](double x) { return x * x; }, inflow);
-            sum[2] += sum_cells([](double v, double x) { return v * v * x * x; }, volume, u.component(c));
+                             context_.viscosity_factors(b), {flux_.on(b), r.component(c)});
+            sums += form_viscous_residual({diffusion_, volume, u.component(c), known.component(c)}, r.component(c));
         }
+        const std::array parts{sums.residual, sums.change, sums.momentum};
+        std::ranges::copy(parts, sums_.begin() + std::ptrdiff_t(parts.size()) * context_.mesh.global(b));
     });
     co_await lane.sum(sums_);
     std::array<double, 3> all{};
@@ -107,13 +106,8 @@ tasks::Job ViscositySystem::form_residual(tasks::Lane& lane, const core::VectorF
 void ViscositySystem::correct(tasks::Lane& lane, core::VectorField& velocity, core::VectorField& change) const
 {
     unknown_.for_blocks(lane, [&](core::LocalBlock b) {
-        const auto volume = context_.mesh.geometry(b).volume.view();
-        for (int c = 0; c < 3; ++c) {
-            const auto step = residual_.on(b).component(c);
-            const auto add = [d = diffusion_](double x, double r, double v, double sum) { return x + r / (v + d * sum); };
-            for (const auto x : {velocity.on(b).component(c), change.on(b).component(c)})
-                map_cells(x, add, x, step, volume, transmissibility_sum_.on(b));
-        }
+        for (int c = 0; c < 3; ++c)
+            add_jacobi_step(residual_.on(b).component(c), reciprocal_.on(b), velocity.on(b).component(c), change.on(b).component(c));
     });
 }
 
@@ -127,6 +121,9 @@ tasks::Job ViscositySystem::solve(tasks::Lane& lane, double diffusion, core::Vec
     unknown_.for_blocks(lane, [&](core::LocalBlock b) {
         if (const auto factors = context_.viscosity_factors(b))
             transmissibility_sum(context_.mesh.geometry(b), *factors, transmissibility_sum_.on(b));
+        map_cells(
+            reciprocal_.on(b), [diffusion](double volume, double sum) { return 1 / (volume + diffusion * sum); },
+            context_.mesh.geometry(b).volume.view(), transmissibility_sum_.on(b));
         map_components(
             velocity.on(b), [](double w, double x) { return w + x; }, velocity.on(b), change.on(b));
     });

@@ -40,7 +40,7 @@ private:
     const BlockLayout& layout_;
     KrylovWorkspace workspace_;
     Unknown unknown_;
-    core::ScalarField transmissibility_sum_;
+    core::ScalarField transmissibility_sum_, reciprocal_; ///< the latter of the diagonal of the equation being solved
     core::VectorField residual_;
     std::array<core::VectorField, 3> gradient_; ///< of the components
     core::FaceField flux_;

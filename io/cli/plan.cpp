@@ -35,6 +35,8 @@ int plan(const std::string& scene_path, const std::vector<std::string>& override
     if (world.grains()) fmt::print("; {} sub-steps", world.sub_steps());
     fmt::print("\n");
     if (!world.fluid()) fmt::print("no fluid: no fluid stage, no fluid field\n");
+    else if (world.fluid()->is_straight())
+        fmt::print("faces lie straight between cells: no gradients in cells for viscosity, seven points for pressure\n");
     if (!world.grains()) fmt::print("no particles: no particle stage, no fluid fraction\n");
     if (world.coupling())
         fmt::print("coupling {}\nwhile the grains move, the fluid lane may: {}\n", world.mode_reason(), work_beside_grains(*world.plan()));

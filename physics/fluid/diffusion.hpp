@@ -11,7 +11,7 @@ using FaceFactors = std::optional<core::FaceView<const double>>;
 
 /// Net flux of grad q into each cell, walls included.
 struct DiffusiveInflow {
-    core::FaceView<double> flux; ///< scratch, overwritten by the flux of grad q times the factors
+    core::FaceView<double> flux; ///< scratch
     core::View<double> inflow;   ///< out; interior [unit of q m]
 };
 void diffusive_inflow(const core::BlockGeometry& geometry, const BlockWalls& walls, core::View<const double> q,

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "physics/fluid/krylov_parts.hpp"
 
+#include <algorithm>
+
 namespace physics {
 
 using detail::Flat;
@@ -20,7 +22,8 @@ KrylovProcess flexible_cg(const core::Team& team, KrylovWorkspace& work, const K
     detail::accept_right(team, work, options, right, report);
 
     for (int round = 0;; ++round) { // a round ends when the recursion says converged; the solution has the last word
-        co_yield KrylovDemand{Kind::apply, x, q};
+        if (round == 0 && options.from_zero) std::fill(q.begin(), q.end(), 0.0);
+        else co_yield KrylovDemand{Kind::apply, x, q};
         detail::form_residual(team, work, right.data(), q.data(), r.data());
         co_yield sum;
         double norm = std::sqrt(sums.total(0)), alpha = 0.0, last_rho = 1.0;
@@ -29,6 +32,7 @@ KrylovProcess flexible_cg(const core::Team& team, KrylovWorkspace& work, const K
             break;
         }
         if (convergence.reached(norm)) break;
+        double largest = norm;
         while (norm > convergence.target()) {
             co_yield KrylovDemand{Kind::precondition, r, z};
             sums.form(team, [r = r.data(), z = z.data(), q = q.data()](Flat b, Flat e) {
@@ -58,8 +62,10 @@ KrylovProcess flexible_cg(const core::Team& team, KrylovWorkspace& work, const K
             co_yield sum;
             ++report.iterations;
             norm = std::sqrt(sums.total(0));
+            largest = std::max(largest, norm);
             if (norm > convergence.target()) (void)convergence.reached(norm);
         }
+        if (convergence.trusted(norm, largest)) break;
     }
     if (options.singular) {
         detail::form_sum(team, sums, x.data());

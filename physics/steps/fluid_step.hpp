@@ -87,6 +87,8 @@ public:
     /// None unless the flow is prescribed.
     [[nodiscard]] FlowControl* flow_control() { return flow_control_.get(); }
     [[nodiscard]] const FlowControl* flow_control() const { return flow_control_.get(); }
+    /// Do the faces of all blocks of the domain lie at right angles to the lines between cells, whole on each other?
+    [[nodiscard]] bool is_straight() const { return is_straight_; }
     /// What other systems of equations on the same mesh refer to.
     [[nodiscard]] SystemContext system_context() const;
 

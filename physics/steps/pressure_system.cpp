@@ -104,7 +104,9 @@ tasks::Job PressureSystem::solve_loaded(tasks::Lane& lane, FluxesToProject fluxe
             layout.view(b, right_), [](double x) { return -x; }, fluxes.outflow.on(b));
     });
     report_ = {};
-    co_await drive(lane, bicgstab(lane.team(), solver_.workspace(), norms_.options(fluxes.share), right_, solution_, report_), *this);
+    const KrylovOptions options = norms_.options(fluxes.share);
+    if (context_.is_straight) co_await physics::solve(lane, solver_, options, right_, solution_, report_); // that is the full operator
+    else co_await drive(lane, bicgstab(lane.team(), solver_.workspace(), options, right_, solution_, report_), *this);
     unknown_.for_blocks(lane, [&](core::LocalBlock b) {
         map_cells(
             psi.on(b), [](double x) { return x; }, layout.view(b, solution_));

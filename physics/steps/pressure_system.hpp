@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// The equation of the projection with the full operator: div(grad psi) = div(flux), psi = mobility * pressure increment; or,
-// with grains, div(mobility grad dp) = div(flux), the mobility a field of this step.
+// The equation of the projection with the full operator, which on straight meshes is that of seven points:
+// div(grad psi) = div(flux), psi = mobility * pressure increment; or, with grains, div(mobility grad dp) = div(flux), the
+// mobility a field of this step.
 #include "physics/fluid/mobility.hpp"
 #include "physics/fluid/seven_point_solver.hpp"
 #include "physics/steps/projection_norms.hpp"

@@ -94,9 +94,10 @@ GivenFlux given_flux(const core::BlockGeometry& geometry, const BlockWalls& wall
     for (const core::Side side : core::all_sides) {
         if (!walls.at(side).gives_flux()) continue;
         for_each_side_face(geometry.cells, side, [&](int i, int j, int k) {
-            const double flux = geometry.area(core::axis_of(side), i, j, k).dot(walls.at(side).velocity[{i, j, k}]);
+            const core::Vec3 area = geometry.area(core::axis_of(side), i, j, k), velocity = walls.at(side).velocity[{i, j, k}];
+            const double flux = area.dot(velocity);
             sum.net += core::is_high(side) ? flux : -flux;
-            sum.magnitudes += std::abs(flux);
+            sum.largest += area.norm() * velocity.norm();
         });
     }
     return sum;

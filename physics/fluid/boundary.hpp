@@ -73,8 +73,8 @@ template <class Test>
 
 /// Fluxes through the sides of a block that are given [m3/s].
 struct GivenFlux {
-    double net = 0;        ///< outward
-    double magnitudes = 0; ///< summed
+    double net = 0;     ///< outward
+    double largest = 0; ///< if all velocities stood at right angles to the sides: what round-off refers to
 };
 [[nodiscard]] GivenFlux given_flux(const core::BlockGeometry& geometry, const BlockWalls& walls);
 

@@ -69,7 +69,7 @@ void FluidStep::require_balance(const core::Communicator& ranks) const
         const auto sum = [&](double GivenFlux::*part) {
             return core::sum_over_blocks(mesh_, ranks, [&](LocalBlock b) { return given_flux(geometry(b), walls[std::size_t(b)]).*part; });
         };
-        const double net = sum(&GivenFlux::net), all = sum(&GivenFlux::magnitudes);
+        const double net = sum(&GivenFlux::net), all = sum(&GivenFlux::largest);
         constexpr double round_off = 1e-9; // of grids read from files in single precision, over what flows in and out
         core::require<core::ConfigError>(std::abs(net) <= round_off * all,
                                          core::text(std::abs(net), net > 0 ? " m3/s more flow out of" : " m3/s more flow into",
@@ -97,7 +97,7 @@ void FluidStep::declare(tasks::StageGraph& graph)
     declare_expected_drive(graph);
     declare_pressure_gradient(graph);
     if (viscosity_system_) {
-        if (viscosity_needs_gradients()) declare_velocity_gradients(graph);
+        declare_velocity_gradients(graph);
         declare_viscous_acceleration(graph, fields_.viscous);
     } else if (by_finite_volumes()) declare_velocity_gradients(graph);
     declare_transport(graph);

@@ -6,6 +6,7 @@
 #   run.sh dem [SCENE [STEPS [CORES]]]      LIGGGHTS, LAMMPS and ours; SCENE: pipe1 pipe10 bed100, default all
 #   run.sh coupled [CELLS [UNTIL [CORES]]]  OpenFOAM's DPMFoam and ours; CELLS: 1920 20160, default both
 #   run.sh fluid [CORES]                    OpenFOAM's icoFoam: oscillating flow in the same pipe, no particles
+#   run.sh cavity [CELLS [STEPS [CORES]]]   icoFoam and ours: a cube under a moving lid, CELLS along each side
 # REPEATS=3 takes that many turns, one code after the other, and prints medians.
 set -euo pipefail
 here=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")" && pwd)
@@ -20,7 +21,7 @@ install)
     "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -qq -y -o DPkg::Lock::Timeout=600 \
         install --no-install-recommends liggghts lammps openfoam openmpi-bin python3-numpy >/dev/null
     ;;
-dem | coupled | fluid)
+dem | coupled | fluid | cavity)
     mkdir -p "$root/build/peers"
     [[ -f $root/build/release/build.ninja ]] || cmake -S "$root" --preset release >/dev/null
     ninja -C "$root/build/release" dem_bench isago >/dev/null || echo "our own programs do not build: the other codes alone"
@@ -28,7 +29,7 @@ dem | coupled | fluid)
     exec /usr/bin/python3 "$here/$1.py" "${@:2}"
     ;;
 *)
-    sed -n '4,9s/^# \?//p' "$here/run.sh"
+    sed -n '4,10s/^# \?//p' "$here/run.sh"
     exit 2
     ;;
 esac

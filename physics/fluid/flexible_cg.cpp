@@ -9,13 +9,42 @@ namespace physics {
 using detail::Flat;
 using Kind = KrylovDemand::Kind;
 
+namespace {
+
+/// The residual, what the preconditioner makes of it, the direction and its image.
+struct CgVectors {
+    std::span<double> r, z, p, q;
+};
+
+CgVectors cg_vectors(KrylovWorkspace& work)
+{
+    work.reserve(4);
+    auto& w = work.vectors;
+    return {w[0], w[1], w[2], w[3]};
+}
+
+/// x += factor * p; r -= factor * q, and the sum of its squares.
+void step(const core::Team& team, KrylovWorkspace& work, const CgVectors& w, double factor, std::span<double> x)
+{
+    work.sums.form(team, [r = w.r.data(), p = w.p.data(), q = w.q.data(), x = x.data(), factor](Flat b, Flat e) {
+#pragma omp simd
+        for (Flat c = b; c < e; ++c) {
+            x[c] += factor * p[c];
+            r[c] -= factor * q[c];
+        }
+        return std::array{dot(b, e, r, r)};
+    });
+}
+
+} // namespace
+
 KrylovProcess flexible_cg(const core::Team& team, KrylovWorkspace& work, const KrylovOptions& options, std::span<double> right,
                           std::span<double> x, KrylovReport& report)
 {
-    work.reserve(4);
+    const CgVectors w = cg_vectors(work);
+    const auto [r, z, p, q] = w;
     auto& sums = work.sums;
     const KrylovDemand sum{Kind::sum, sums.of_blocks(), {}};
-    const std::span<double> r = work.vectors[0], z = work.vectors[1], p = work.vectors[2], q = work.vectors[3];
     detail::Convergence convergence(options, report);
     detail::form_right_sums(team, sums, right);
     co_yield sum;
@@ -51,14 +80,7 @@ KrylovProcess flexible_cg(const core::Team& team, KrylovWorkspace& work, const K
             core::require<core::NumericsError>(sums.total(0) > 0.0, core::text(convergence.where(), "the operator is not positive"));
             alpha = rho / sums.total(0);
             last_rho = rho;
-            sums.form(team, [r = r.data(), p = p.data(), q = q.data(), x = x.data(), alpha](Flat b, Flat e) {
-#pragma omp simd
-                for (Flat c = b; c < e; ++c) {
-                    x[c] += alpha * p[c];
-                    r[c] -= alpha * q[c];
-                }
-                return std::array{dot(b, e, r, r)};
-            });
+            step(team, work, w, alpha, x);
             co_yield sum;
             ++report.iterations;
             norm = std::sqrt(sums.total(0));

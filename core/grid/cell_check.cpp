@@ -37,6 +37,8 @@ std::string collapsed_side(const Vertices& v, int axis, Index3 low, double small
 [[noreturn]] void refuse(const Vertices& v, BlockId block, Index3 c, double jacobian)
 {
     const std::string cell = text("cell (", c.i, ", ", c.j, ", ", c.k, ") of block ", block);
+    for_each(c, {c.i + 2, c.j + 2, c.k + 2},
+             [&](int i, int j, int k) { require<ConfigError>(v(i, j, k).allFinite(), cell + " has a corner whose place is no number"); });
     const double smallest = no_length * mean_edges(v, c).maxCoeff();
     for_each_edge(c, [&](int axis, Index3 low, Index3) {
         if (has_length(v, axis, low, smallest)) return;

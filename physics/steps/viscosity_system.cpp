@@ -115,6 +115,8 @@ tasks::Job ViscositySystem::solve(tasks::Lane& lane, double diffusion, core::Vec
 {
     constexpr double slow = 0.2;     // BiCGSTAB gains more by its two products
     constexpr double reserve = 1e-4; // what is left is a force that the books of momentum do not know
+    // Iterations grow with the cells that a step diffuses across, which multigrid hides from the pressure.
+    constexpr int jacobi_per_multigrid = 10;
     diffusion_ = diffusion;
     iterations_ = 0;
     Norms norms{}, before{};
@@ -147,7 +149,7 @@ tasks::Job ViscositySystem::solve(tasks::Lane& lane, double diffusion, core::Vec
     KrylovOptions options;
     options.relative = 0;
     options.absolute = target / std::sqrt(3.0);
-    options.most_iterations = tolerances_.most_iterations;
+    options.most_iterations = jacobi_per_multigrid * tolerances_.most_iterations;
     options.from_zero = true;
     options.unknown = "velocity";
     // Slip walls that lie across the axes join the components: these are then solved in turn.

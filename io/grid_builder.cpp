@@ -155,7 +155,8 @@ core::MultiBlock make_blocks(const Grid& grid)
 
 GridMeasure measured(const Grid& grid)
 {
-    const core::MultiBlock made = make_blocks(grid);
+    core::MultiBlock made = make_blocks(grid);
+    (void)core::match_sides(made);
     if (grid.blocks || grid.bent_pipe) core::require_apart(made);
     constexpr double infinity = std::numeric_limits<double>::infinity();
     GridMeasure m{core::Vec3::Constant(infinity), core::Vec3::Constant(-infinity), 0.0};
@@ -199,19 +200,13 @@ std::vector<physics::Wall> primitive_walls(const Grid& grid)
     return walls;
 }
 
-static std::vector<std::string> names_of(const core::Topology& topology)
+std::vector<std::string> boundary_names(const core::Topology& topology)
 {
     std::set<std::string> names;
     for (const core::Boundary& boundary : topology.boundaries) names.insert(boundary.name);
     return {names.begin(), names.end()};
 }
 
-std::vector<std::string> boundary_names(const Grid& grid)
-{
-    core::MultiBlock blocks = make_blocks(grid);
-    return names_of(core::match_sides(blocks));
-}
-
-std::vector<std::string> wall_names(const core::Mesh& mesh) { return names_of(mesh.topology()); }
+std::vector<std::string> wall_names(const core::Mesh& mesh) { return boundary_names(mesh.topology()); }
 
 } // namespace io

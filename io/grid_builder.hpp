@@ -14,7 +14,8 @@ namespace io {
 [[nodiscard]] core::MultiBlock make_blocks(const Grid& grid);
 
 /// What the blocks fill. Along a periodic axis the box is one period long.
-/// @throws core::ConfigError naming block and cell if a cell is folded or flat, or blocks lie in one another.
+/// @throws core::ConfigError naming block and cell if a cell is folded or flat, or blocks lie in one another, or a side if it meets
+///         several others.
 [[nodiscard]] GridMeasure measured(const Grid& grid);
 
 /// The box around the grid, with its periods.
@@ -23,8 +24,8 @@ namespace io {
 /// The walls of a pipe or box as planes and cylinders, relative to the domain's origin.
 [[nodiscard]] std::vector<physics::Wall> primitive_walls(const Grid& grid);
 
-/// Names of the boundaries that the grid has, in the order of the alphabet.
-[[nodiscard]] std::vector<std::string> boundary_names(const Grid& grid);
+/// Names of the boundaries, in the order of the alphabet.
+[[nodiscard]] std::vector<std::string> boundary_names(const core::Topology& topology);
 
 /// Names of the boundaries of the mesh that are walls for particles: all of them.
 [[nodiscard]] std::vector<std::string> wall_names(const core::Mesh& mesh);

@@ -15,6 +15,7 @@ static void describe(Schema& s, StressVariant& p)
 {
     s.required("name", p.name, "", "What differs");
     s.required("set", "Overrides of the scene, key.path=value", list_value(p.set, ""));
+    s.value("refused", p.refused, "", "This run must end in an error with this text");
 }
 
 static void describe(Schema& s, StressContinuation& p)

@@ -70,6 +70,7 @@ struct StressContinuation {
 struct StressVariant {
     std::string name;
     std::vector<std::string> set;
+    std::optional<std::string> refused; ///< The error that this variant must end in, instead of that of the case.
 };
 
 struct StressCase {

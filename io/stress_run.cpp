@@ -100,18 +100,24 @@ public:
     StressJudge(const StressCase& stress, std::vector<StressVerdict>& verdicts) : stress_(stress), verdicts_(verdicts) {}
 
     /// @return the largest pressure of the run [Pa].
-    double judge(const std::string& variant, const std::vector<std::string>& overrides)
+    double judge(const StressVariant& variant)
     {
-        variant_ = variant;
+        variant_ = variant.name;
+        const auto& refused = variant.refused ? variant.refused : stress_.refused;
         try {
-            const Scene scene = stress_.scene.read(overrides);
-            const double pressure = judge_run(scene, overrides);
-            if (stress_.refused) add("refused", "ran to the end", *stress_.refused, false);
+            const Scene scene = stress_.scene.read(variant.set);
+            if (refused) {
+                run_to_end(scene);
+                add("refused", "ran to the end", *refused, false);
+                return 0;
+            }
+            const double pressure = judge_run(scene, variant.set);
             if (!stress_.same_bits.empty()) judge_bits(scene);
             return pressure;
         } catch (const std::exception& error) {
             const std::string text = error.what();
-            if (stress_.refused) add("refused", text, *stress_.refused, text.find(*stress_.refused) != std::string::npos);
+            const bool holds = refused && text.find(*refused) != std::string::npos;
+            if (refused) add("refused", holds ? "as it must be" : text, *refused, holds);
             else add("runs", text, "to the end", false);
             return std::numeric_limits<double>::quiet_NaN();
         }
@@ -131,6 +137,12 @@ public:
     }
 
 private:
+    void run_to_end(const Scene& scene) const
+    {
+        StressRun run(stress_, scene, "serial");
+        while (!run.done()) run.step();
+    }
+
     double judge_run(const Scene& scene, const std::vector<std::string>& overrides)
     {
         StressRun run(stress_, scene, "serial");
@@ -140,7 +152,6 @@ private:
             probes.after_step();
         }
         probes.finish();
-        if (stress_.refused) return 0;
         int particles = 0;
         for (const Species& s : scene.particles) particles += s.count;
         const int kept = run.world().grains() ? run.world().grains()->particles.owned : 0;
@@ -189,24 +200,19 @@ private:
     std::string variant_;
 };
 
-struct NamedOverrides {
-    std::string name;
-    std::vector<std::string> set;
-};
-
-std::vector<NamedOverrides> variants_of(const StressCase& stress)
+std::vector<StressVariant> variants_of(const StressCase& stress)
 {
-    std::vector<NamedOverrides> all;
-    for (const StressVariant& v : stress.variants) all.push_back({v.name, v.set});
-    if (all.empty()) all.push_back({"", {}});
+    std::vector<StressVariant> all = stress.variants;
+    if (all.empty()) all.emplace_back();
     if (stress.halve_dt == 0) return all;
-    std::vector<NamedOverrides> halved;
-    for (const NamedOverrides& v : all) {
+    std::vector<StressVariant> halved;
+    for (const StressVariant& v : all) {
         const Scene scene = stress.scene.read(v.set);
         core::require<core::ConfigError>(scene.run.time_step.has_value(), stress.name + ": halve_dt needs run.time_step in the scene");
         double dt = *scene.run.time_step;
         for (int n = 0; n <= stress.halve_dt; ++n, dt *= 0.5) {
-            halved.push_back({fmt::format("{}{}dt = {:.3g} s", v.name, v.name.empty() ? "" : ", ", dt), v.set});
+            halved.push_back(v);
+            halved.back().name += fmt::format("{}dt = {:.3g} s", v.name.empty() ? "" : ", ", dt);
             halved.back().set.push_back(fmt::format("run.time_step={} s", number_text(dt)));
         }
     }
@@ -220,8 +226,8 @@ std::vector<StressVerdict> run_stress_case(const StressCase& stress)
     std::vector<StressVerdict> verdicts;
     StressJudge judge(stress, verdicts);
     double first = std::numeric_limits<double>::quiet_NaN(), growth = 1.0;
-    for (const NamedOverrides& variant : variants_of(stress)) {
-        const double pressure = judge.judge(variant.name, variant.set);
+    for (const StressVariant& variant : variants_of(stress)) {
+        const double pressure = judge.judge(variant);
         if (std::isnan(first)) first = pressure;
         growth = std::max(growth, pressure / first);
     }

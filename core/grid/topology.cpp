@@ -141,7 +141,9 @@ void connect(Topology& topology, const Interface& f)
         auto& place = topology.neighbours[std::size_t(block)][std::size_t(side)];
         require<ConfigError>(!place.has_value(),
                              text("side ", side_words[std::size_t(side)], " of block ", block, " meets blocks ", place ? place->block : -1,
-                                  " and ", n.block, ": cut the blocks so that each side meets one other"));
+                                  " and ", n.block,
+                                  ": cut the blocks so that each side meets one other, or take thicker ones if they are thinner than the "
+                                  "tolerance with which sides are matched"));
         place = n;
     };
     enter(f.a, f.side_a, {f.b, f.side_b, f.a_to_b, f.shift});

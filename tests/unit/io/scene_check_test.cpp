@@ -45,10 +45,36 @@ TEST_CASE("boundaries have names that the grid knows, and the keys of their kind
 {
     const auto boundary = [](const std::string& text) { return with("  water:", "  boundaries:\n    - { " + text + " }\n  water:"); };
     CHECK(problem_of(boundary("at: walls, kind: slip")) == "7:13 the grid has no boundary 'walls'");
-    CHECK(problem_of(boundary("at: x_low, kind: slip")) == "7:13 the grid has no boundary 'x_low'"); // the pipe repeats
+    CHECK(problem_of(boundary("at: x_low, kind: slip")) == "7:13 the grid repeats along x: it has no boundary 'x_low'");
     CHECK(problem_of(boundary("at: wall, kind: slip, pressure: 1 Pa")) == "7:41 'pressure' means nothing for kind: slip");
     CHECK(problem_of(boundary("at: wall, kind: inflow")) ==
           "7:7 an inflow needs 'velocity'\n7:25 particles beside boundaries that fluid flows through cannot be computed yet");
+}
+
+TEST_CASE("walls move along themselves, inflows let something in, and what flows in flows out")
+{
+    const std::string channel = R"(name: channel
+grid: { box: { size: [1 m, 1 m, 1 m], cells: [4, 4, 4], blocks: [2, 1, 1] }, periodic: [z] }
+fluid:
+  water: { density: 1000 kg/m3, viscosity: 1e-6 m2/s }
+  boundaries:
+    - { at: x_low, kind: inflow, velocity: [1 m/s, 0 m/s, 0 m/s] }
+    - { at: x_high, kind: outflow }
+run: { until: 1 s }
+)";
+    const auto instead = [&](const std::string& old_text, const std::string& text) { return problem_of(with(old_text, text, channel)); };
+    CHECK(instead("1 m/s, 0 m/s", "1 m/s, 3 m/s").empty());
+    CHECK(instead("[1 m/s, 0 m/s", "[0 m/s, 1 m/s") == "6:44 nothing flows in through 'x_low': the velocity lies along it");
+    CHECK(instead("kind: inflow", "kind: wall") ==
+          "6:42 the wall 'x_low' would move through the fluid at cell (0, 0, 0) at side i_low of block 0");
+    CHECK(instead("kind: outflow", "kind: slip") == "6:26 1 m3/s more flow into the domain than the other way, and no boundary gives way");
+    CHECK(instead("kind: outflow", "kind: inflow, velocity: [1 m/s, 0 m/s, 0 m/s]").empty());
+    CHECK(instead("kind: outflow", "kind: inflow, velocity: [3 m/s, 0 m/s, 0 m/s]") ==
+          "6:26 2 m3/s more flow out of the domain than the other way, and no boundary gives way");
+    CHECK(instead("x_high, kind: outflow", "y_high, velocity: [1 m/s, 0 m/s, 0 m/s]").starts_with("6:26 1 m3/s more flow into"));
+    CHECK(instead("at: x_high", "at: z_high") == "7:13 the grid repeats along z: it has no boundary 'z_high'");
+    CHECK(instead("at: x_high", "at: x_low") == "7:13 'x_low' is given twice");
+    CHECK(instead("size: [1 m", "size: [1e-8 m").starts_with("2:1 side i_low of block 0 meets blocks 0 and 1"));
 }
 
 TEST_CASE("scalars have names of their own and boundaries that exist; turbulence has a speed and a viscosity")

@@ -108,6 +108,7 @@ def ours(cells, until, cores):
     root, size = os.environ["ISAGO_ROOT"], {1920: "small", 20160: "large"}[cells]
     command = [os.path.join(root, "isago"), "run", os.path.join(root, "configs/pipe_oscillating"), "--set",
                f"grid.pipe.size={size}", "--set", "run.settle=0 s", "--set", f"run.time_step={STEP} s", "--until", f"{until} s",
+               "--set", "output.pictures=never", "--set", "output.results=never",  # as DPMFoam
                "--threads", str(cores), "-o", f"isago.{cells}.{cores}", "--force", "--trace"]
     result = run(command, f"isago.{cells}.{cores}.log")
     fluid = number(r"work .* ms \(fluid ([\d.]+) ms", result.output)

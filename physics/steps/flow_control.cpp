@@ -52,8 +52,8 @@ FlowControl::FlowControl(const SystemContext& context, const FlowDrive& drive, P
     outflow_.allocate();
     change_.allocate();
     if (viscosity <= 0) return;
-    SystemContext resting{context_.mesh,       walls_at_rest_,          context_.halos, context_.pressure_is_given,
-                          context_.walls_slip, context_.viscosity_ratio};
+    const SystemContext& c = context_;
+    const SystemContext resting{c.mesh, walls_at_rest_, c.halos, c.pressure_is_given, c.walls_slip, c.viscosity_ratio, c.is_straight};
     viscosity_system_ = std::make_unique<ViscositySystem>(resting, pressure.layout(), tolerances);
     response_change_.allocate();
 }

@@ -39,12 +39,7 @@ boundaryField {{ lid {{ type fixedValue; value uniform ({SPEED} 0 0); }} rest {{
     foam.write(case, "0/p", "volScalarField", """dimensions [0 2 -2 0 0 0 0]; internalField uniform 0;
 boundaryField { ".*" { type zeroGradient; } }""")
     foam.write(case, "constant/transportProperties", "dictionary", f"nu [0 2 -1 0 0 0 0] {VISCOSITY};")
-    run(["blockMesh", "-case", case], f"{case}.grid.log")
-    parallel = []
-    if cores > 1:
-        run(["decomposePar", "-case", case], f"{case}.split.log")
-        parallel = ["-parallel"]
-    output = run(["icoFoam", *parallel, "-case", case], f"{case}.log", cores).output
+    output = foam.solve(case, "icoFoam", cores).output
     seconds = [float(word) for word in re.findall(r"ExecutionTime = ([\d.]+) s", output)]
     first = steps // 4
     return (seconds[-1] - seconds[first - 1]) / (steps - first)

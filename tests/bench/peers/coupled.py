@@ -94,12 +94,7 @@ def dpmfoam(cells, until, cores):
     case = f"dpmfoam.{cells}.{cores}"
     shutil.rmtree(case, ignore_errors=True)
     write_case(case, cells, until, cores)
-    run(["blockMesh", "-case", case], f"{case}.grid.log")
-    parallel = []
-    if cores > 1:
-        run(["decomposePar", "-case", case], f"{case}.split.log")
-        parallel = ["-parallel"]
-    result = run(["DPMFoam", *parallel, "-case", case], f"{case}.log", cores)
+    result = foam.solve(case, "DPMFoam", cores)
     print(f"  DPMFoam {cells}: largest Courant number {number(r'^Courant Number mean: .* max: ([0-9.e+-]+)', result.output):.2f}")
     return result
 

@@ -6,7 +6,7 @@ import shutil
 import sys
 
 import foam_pipe as foam
-from measure import REPEATS, rate, run, table
+from measure import REPEATS, rate, table
 
 CELLS, STEP, STEPS = 102400, 3e-4, 40  # -, [s], -
 VISCOSITY, SPEED = 1e-4, 1.5  # [m2/s], amplitude of the flow without walls [m/s]
@@ -25,12 +25,7 @@ def icofoam(cores):
         "shape": "sine",
         "values": f"frequency {frequency:.12g}; amplitude {amplitude:.12g}; scale 1; level 0; t0 {-foam.PERIOD / 4};"})
     foam.write(case, "constant/transportProperties", "dictionary", f"nu [0 2 -1 0 0 0 0] {VISCOSITY};")
-    run(["blockMesh", "-case", case], f"{case}.grid.log")
-    parallel = []
-    if cores > 1:
-        run(["decomposePar", "-case", case], f"{case}.split.log")
-        parallel = ["-parallel"]
-    return run(["icoFoam", *parallel, "-case", case], f"{case}.log", cores)
+    return foam.solve(case, "icoFoam", cores)
 
 
 def main(cores):

@@ -1,12 +1,24 @@
 # SPDX-FileCopyrightText: 2026 The Isago authors
 # SPDX-License-Identifier: Apache-2.0
-"""Writes OpenFOAM cases of the pipe (R = 25 mm, L = 90 mm, axis z, periodic): a butterfly grid and the solver's files."""
+"""Writes OpenFOAM cases of the pipe (R = 25 mm, L = 90 mm, axis z, periodic), a butterfly grid and the solver's files, and runs them."""
 import math
 import os
+
+from measure import run
 
 RADIUS, LENGTH, PERIOD = 0.025, 0.09, 0.18  # [m], [m], [s]
 # cells along a side of the core square, from it to the wall, along the axis
 GRIDS = {1920: (4, 4, 24), 20160: (8, 7, 70), 102400: (16, 16, 80)}
+
+
+def solve(case, solver, cores):
+    """Makes the grid of a case that is written, splits it for the cores and runs the solver."""
+    run(["blockMesh", "-case", case], f"{case}.grid.log")
+    parallel = []
+    if cores > 1:
+        run(["decomposePar", "-case", case], f"{case}.split.log")
+        parallel = ["-parallel"]
+    return run([solver, *parallel, "-case", case], f"{case}.log", cores)
 
 
 def write(case, name, kind, text):

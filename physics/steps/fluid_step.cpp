@@ -96,10 +96,8 @@ void FluidStep::declare(tasks::StageGraph& graph)
     declare_boundaries(graph);
     declare_expected_drive(graph);
     declare_pressure_gradient(graph);
-    if (viscosity_system_) {
-        declare_velocity_gradients(graph);
-        declare_viscous_acceleration(graph, fields_.viscous);
-    } else if (by_finite_volumes()) declare_velocity_gradients(graph);
+    declare_velocity_gradients(graph);
+    if (viscosity_system_) declare_viscous_acceleration(graph, fields_.viscous);
     declare_transport(graph);
     declare_predictor(graph);
     declare_projection(graph);

@@ -3,9 +3,9 @@
 // ctest: timeout=300
 // The books of momentum of a pipe with everything on: every line is measured by itself, and together they explain each step.
 #include "io/momentum_ledger.hpp"
-#include "io/scene_reader.hpp"
 #include "io/world.hpp"
 #include "tests/support/relative.hpp"
+#include "tests/support/scene_from_text.hpp"
 #include <cstdio>
 #include <doctest/doctest.h>
 
@@ -15,23 +15,7 @@ using core::Vec3;
 
 io::Scene pipe(const std::string& coupling)
 {
-    const std::string text = R"(name: small pipe
-grid: { pipe: { diameter: 20 mm, length: 24 mm, cells: { across: 12, along: 12 }, blocks_along: 2 }, periodic: [axial] }
-fluid:
-  oil: { density: 1000 kg/m3, viscosity: 1e-5 m2/s }
-  drive: { pressure_gradient: 20 kPa/m, reverse_at: { axis_speed: 0.5 m/s } }
-gravity: { direction: -y }
-particles:
-  - { name: heavy, count: 60, diameter: 2 mm, density: 2000 kg/m3 }
-  - { name: light, count: 60, diameter: 1.5 mm, density: 1100 kg/m3 }
-contact: { stiffness: 500 N/m, restitution: 0.6, friction: 0.4 }
-coupling: { )" + coupling + R"( }
-run: { settle: 50 ms, until: 1 s, time_step: 1 ms }
-)";
-    const io::SceneReading reading = io::read_scene_text("small pipe", text);
-    INFO(reading.problems->text());
-    REQUIRE(reading.problems->empty());
-    return reading.scene;
+    return test::small_pipe("pressure_gradient: 20 kPa/m, reverse_at: { axis_speed: 0.5 m/s }", coupling);
 }
 
 const std::string all_on = "added_mass: on, lift: on, torque: on";

@@ -5,10 +5,10 @@
 // gradient that was found.
 #include "core/comm/reduce.hpp"
 #include "io/metric_groups.hpp"
-#include "io/scene_reader.hpp"
 #include "physics/fluid/section_flow.hpp"
 #include "tests/support/coupled_run.hpp"
 #include "tests/support/relative.hpp"
+#include "tests/support/scene_from_text.hpp"
 #include <cstdio>
 #include <doctest/doctest.h>
 
@@ -18,24 +18,7 @@ namespace {
 
 io::Scene pipe(const std::string& mode, const std::string& drive)
 {
-    const std::string text = R"(name: small pipe
-grid: { pipe: { diameter: 20 mm, length: 24 mm, cells: { across: 12, along: 12 }, blocks_along: 2 }, periodic: [axial] }
-fluid:
-  oil: { density: 1000 kg/m3, viscosity: 1e-5 m2/s }
-  drive: { )" + drive + R"( }
-gravity: { direction: -y }
-particles:
-  - { name: heavy, count: 60, diameter: 2 mm, density: 2000 kg/m3 }
-  - { name: light, count: 60, diameter: 1.5 mm, density: 1100 kg/m3 }
-contact: { stiffness: 500 N/m, restitution: 0.6, friction: 0.4 }
-coupling: { added_mass: on, lift: on, torque: on, mode: )" +
-                             mode + R"( }
-run: { settle: 50 ms, until: 1 s, time_step: 1 ms }
-)";
-    const io::SceneReading reading = io::read_scene_text("small pipe", text);
-    INFO(reading.problems->text());
-    REQUIRE(reading.problems->empty());
-    return reading.scene;
+    return small_pipe(drive, "added_mass: on, lift: on, torque: on, mode: " + mode);
 }
 
 double mixture_flow(const io::World& world)

@@ -3,8 +3,8 @@
 // ctest: timeout=300
 // Grains below a lid that moves to and fro: friction on walls is that of their speed at the start and at the end of each step.
 #include "io/momentum_ledger.hpp"
-#include "io/scene_reader.hpp"
 #include "io/world.hpp"
+#include "tests/support/scene_from_text.hpp"
 #include <cstdio>
 #include <doctest/doctest.h>
 
@@ -12,7 +12,7 @@ namespace {
 
 io::Scene scene(const std::string& mode)
 {
-    const std::string text = R"(name: lid
+    return test::scene_from_text(R"(name: lid
 grid: { box: { size: [16 mm, 16 mm, 16 mm], cells: [8, 8, 8], blocks: [1, 2, 1] }, periodic: [x, z] }
 fluid:
   oil: { density: 1000 kg/m3, viscosity: 1e-4 m2/s }
@@ -22,11 +22,7 @@ particles: [{ name: grains, count: 60, diameter: 2 mm, density: 2000 kg/m3 }]
 contact: { stiffness: 500 N/m }
 coupling: { mode: )" + mode + R"( }
 run: { settle: 50 ms, until: 1 s, time_step: 1 ms }
-)";
-    const io::SceneReading reading = io::read_scene_text("lid", text);
-    INFO(reading.problems->text());
-    REQUIRE(reading.problems->empty());
-    return reading.scene;
+)");
 }
 
 } // namespace

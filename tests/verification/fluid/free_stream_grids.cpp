@@ -6,6 +6,7 @@
 #include "core/grid/bent_pipe.hpp"
 #include "core/grid/elliptic_grid.hpp"
 #include "core/grid/stepped_channel.hpp"
+#include "tests/support/counted_otherwise.hpp"
 #include "tests/support/fluid_run.hpp"
 #include "tests/support/joined_boxes.hpp"
 #include <doctest/doctest.h>
@@ -49,15 +50,6 @@ core::BentPipe waving_pipe()
     pipe.pieces = {{0, a, 2.5, Vec3::UnitY(), 6, 1}, {0, 2 * a, 2.5, -Vec3::UnitY(), 12, 1}, {0, a, 2.5, Vec3::UnitY(), 6, 1}};
     pipe.periodic = true;
     return pipe;
-}
-
-/// The block counted along k, then i from the end, then j from the end: right-handed as before.
-core::Vertices turned(const core::Vertices& v)
-{
-    const core::Extents n = v.extents();
-    core::Vertices other({n.nk, n.ni, n.nj}, 0, Vec3::Zero());
-    core::for_each_cell(n, [&](int i, int j, int k) { other(k, n.ni - 1 - i, n.nj - 1 - j) = v(i, j, k); });
-    return other;
 }
 
 core::MultiBlock wavy_box()
@@ -112,8 +104,8 @@ TEST_CASE("a flow does not depend on the order of the blocks or on how each of t
     water.tolerances.pressure = 1e-13;
     core::MultiBlock grid = wavy_box(), other = grid;
     std::swap(other.blocks[0], other.blocks[3]); // block b of one is block 3 - b of the other for b = 0 and 3
-    other.blocks[0] = turned(other.blocks[0]);
-    other.blocks[1] = turned(turned(other.blocks[1]));
+    other.blocks[0] = test::counted_otherwise(other.blocks[0]);
+    other.blocks[1] = test::counted_otherwise(test::counted_otherwise(other.blocks[1]));
     test::FluidRun one(std::move(grid), water), two(std::move(other), water);
     one.start(vortices);
     two.start(vortices);

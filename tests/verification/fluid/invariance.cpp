@@ -4,6 +4,7 @@
 // What a flow does is the same however its blocks are numbered, counted and cut, and in whatever direction the scene looks, also
 // where the range of advected values decides.
 #include "physics/fluid/advection_lcsi.hpp"
+#include "tests/support/counted_otherwise.hpp"
 #include "tests/support/fluid_run.hpp"
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -30,21 +31,12 @@ core::MultiBlock wavy_box(core::Extents blocks, const core::Mat3& turn)
     return grid;
 }
 
-/// Counted along k, then i from the end, then j from the end: right-handed as before.
-core::Vertices counted_otherwise(const core::Vertices& v)
-{
-    const core::Extents n = v.extents();
-    core::Vertices other({n.nk, n.ni, n.nj}, 0, Vec3::Zero());
-    core::for_each_cell(n, [&](int i, int j, int k) { other(k, n.ni - 1 - i, n.nj - 1 - j) = v(i, j, k); });
-    return other;
-}
-
 /// Numbered backwards, each block counted in a way of its own.
 core::MultiBlock shuffled(core::MultiBlock grid)
 {
     std::reverse(grid.blocks.begin(), grid.blocks.end());
     for (std::size_t b = 0; b < grid.blocks.size(); ++b)
-        for (std::size_t times = 0; times < b % 3; ++times) grid.blocks[b] = counted_otherwise(grid.blocks[b]);
+        for (std::size_t times = 0; times < b % 3; ++times) grid.blocks[b] = test::counted_otherwise(grid.blocks[b]);
     grid.boundary_name = [](core::BlockId, core::Side) { return std::string("wall"); };
     return grid;
 }

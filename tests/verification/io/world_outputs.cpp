@@ -6,11 +6,11 @@
 #include "io/exact_sums.hpp"
 #include "io/gathered_particles.hpp"
 #include "io/interval_clock.hpp"
-#include "io/scene_reader.hpp"
 #include "io/world_metrics.hpp"
 #include "io/world_pictures.hpp"
 #include "io/world_results.hpp"
 #include "tests/support/relative.hpp"
+#include "tests/support/scene_from_text.hpp"
 #include "tests/support/shared_folder.hpp"
 #include <cmath>
 #include <doctest/doctest.h>
@@ -33,10 +33,7 @@ particles:
 contact: { law: linear, stiffness: 200 N/m, restitution: 0.9, friction: 0.3, walls: primitive }
 coupling: { lift: )" + std::string(with_lift ? "on" : "off") +
                              " }\nrun: { until: 1 s, time_step: 1 ms }\n";
-    const io::SceneReading reading = io::read_scene_text("small bed", text);
-    INFO(reading.problems->text());
-    REQUIRE(reading.problems->empty());
-    return reading.scene;
+    return test::scene_from_text(text);
 }
 
 /// Rows of metrics after each of some steps; checks the books of momentum on the way.

@@ -24,7 +24,9 @@ void describe(Schema& s, Species& p)
 {
     s.required("name", p.name, "", "Name in results and messages");
     s.required("count", p.count, "", "Number of particles", at_least(0));
-    s.required("diameter", p.diameter, "m", "Diameter", positive);
+    s.exactly_one({"diameter", "sizes"});
+    s.value("diameter", p.diameter, "m", "Diameter of all of them", positive);
+    s.group("sizes", p.sizes, "Distribution of their diameters");
     s.required("density", p.density, "kg/m3", "Density", positive);
     s.group("initial", p.initial, "Where they are at the start");
 }

@@ -3,6 +3,7 @@
 #pragma once
 // The particles of a scene and how they collide, as the user describes them.
 #include "core/base/vec3.hpp"
+#include "io/size_keys.hpp"
 #include <array>
 #include <optional>
 #include <string>
@@ -36,8 +37,9 @@ struct Initial {
 struct Species {
     std::string name;
     int count = 0;
-    double diameter = 0.0; ///< [m]
-    double density = 0.0;  ///< [kg/m3]
+    std::optional<double> diameter; ///< [m]
+    std::optional<SizeKeys> sizes;  ///< instead of the one diameter
+    double density = 0.0;           ///< [kg/m3]
     Initial initial;
     bool operator==(const Species&) const = default;
 };

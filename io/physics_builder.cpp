@@ -118,14 +118,4 @@ core::Vec3 gravity_of(const Scene& scene)
     return scene.gravity ? core::Vec3(scene.gravity->magnitude * scene.gravity->direction) : core::Vec3(core::Vec3::Zero());
 }
 
-double mean_diameter(const Scene& scene)
-{
-    double volume = 0, count = 0;
-    for (const Species& s : scene.particles) {
-        volume += s.count * std::pow(s.diameter, 3);
-        count += s.count;
-    }
-    return count > 0 ? std::cbrt(volume / count) : 0.0;
-}
-
 } // namespace io

@@ -25,7 +25,4 @@ namespace io {
 /// Acceleration of gravity [m/s2]; zero without it.
 [[nodiscard]] core::Vec3 gravity_of(const Scene& scene);
 
-/// Volume-mean diameter of all particles [m]; 0 without particles.
-[[nodiscard]] double mean_diameter(const Scene& scene);
-
 } // namespace io

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 // Checks of a scene that need several keys.
+#include "io/grain_census.hpp"
 #include "io/scene_reader.hpp"
 
 #include <algorithm>
@@ -11,9 +12,6 @@
 namespace io {
 
 namespace {
-
-/// Random placing without overlaps jams near a fraction of 0.38 in space; below this bound it is quick.
-constexpr double largest_random_fraction = 0.32;
 
 class SceneChecker {
 public:
@@ -28,7 +26,7 @@ public:
             complain("", "the scene has neither 'fluid' nor 'particles'", "add one of them");
         if (scene_.fluid) check_boundaries(scene_, locations_, problems_);
         if (scene_.fluid && scene_.fluid->drive) check_drive(*scene_.fluid->drive);
-        for (std::size_t n = 0; n < scene_.particles.size(); ++n) check_species(n);
+        check_particles(scene_, locations_, problems_);
         check_company();
         if (scene_.coupling) check_filter(*scene_.coupling);
         if (scene_.run.time_step && all_good({"run.time_step", "run.until"}) && *scene_.run.time_step > scene_.run.until)
@@ -84,80 +82,6 @@ private:
                          "give a pressure_gradient, or make that boundary a wall");
     }
 
-    [[nodiscard]] core::Vec3 low_of(const Species& species) const
-    {
-        return species.initial.low.value_or(margin(species, scene_.grid.low(), 0.5));
-    }
-    [[nodiscard]] core::Vec3 high_of(const Species& species) const
-    {
-        return species.initial.high.value_or(margin(species, scene_.grid.high(), -0.5));
-    }
-    /// A corner of the domain moved by a share of the diameter along the axes that have walls.
-    [[nodiscard]] core::Vec3 margin(const Species& species, core::Vec3 corner, double share) const
-    {
-        for (int axis = 0; axis < 3; ++axis)
-            if (!scene_.grid.is_periodic(axis)) corner[axis] += share * species.diameter;
-        return corner;
-    }
-
-    void check_species(std::size_t n)
-    {
-        const Species& species = scene_.particles[n];
-        const std::string path = fmt::format("particles.{}", n);
-        for (std::size_t m = 0; m < n; ++m)
-            if (all_good({path + ".name"}) && scene_.particles[m].name == species.name)
-                complain(path + ".name", fmt::format("two species are named '{}'", species.name), "give each its own name");
-        if (!all_good({"grid", path + ".diameter", path + ".initial"})) return;
-        const core::Vec3 domain = scene_.grid.high() - scene_.grid.low();
-        if (species.diameter >= domain.minCoeff())
-            return complain(path + ".diameter", "the particles are larger than the domain",
-                            fmt::format("the domain is {} m wide", number_text(domain.minCoeff())));
-        if (check_region(species, path) && all_good({path + ".count", "particles"})) check_fraction(n, path);
-    }
-
-    [[nodiscard]] bool check_region(const Species& species, const std::string& path)
-    {
-        const std::size_t before = problems_.size();
-        const core::Vec3 low = low_of(species), high = high_of(species);
-        const core::Vec3 first = margin(species, scene_.grid.low(), 0.5);
-        const core::Vec3 last = margin(species, scene_.grid.high(), -0.5);
-        for (int axis = 0; axis < 3; ++axis) {
-            const auto name = axis_words[std::size_t(axis) + 1];
-            const double slack = 1e-9 * (last[axis] - first[axis]); // round-off of corners given in decimals
-            if (low[axis] > high[axis])
-                complain(path + ".initial.low", fmt::format("'low' is above 'high' along {}", name), "exchange the two");
-            const std::string room =
-                fmt::format("along {} centres must lie from {} m to {} m", name, number_text(first[axis]), number_text(last[axis]));
-            if (low[axis] < first[axis] - slack) complain(path + ".initial.low", "particles would be outside the domain", room);
-            if (high[axis] > last[axis] + slack) complain(path + ".initial.high", "particles would be outside the domain", room);
-        }
-        return problems_.size() == before;
-    }
-
-    /// Volume of a region within reach of its particles, at most the domain's.
-    [[nodiscard]] double room_of(const Species& species) const
-    {
-        const core::Vec3 low = margin(species, low_of(species), -0.5), high = margin(species, high_of(species), 0.5);
-        return std::min((high - low).prod(), scene_.grid.volume());
-    }
-
-    void check_fraction(std::size_t n, const std::string& path)
-    {
-        const Species& species = scene_.particles[n];
-        if (species.initial.arrangement != Arrangement::random) return;
-        double volume = 0.0;
-        for (std::size_t m = 0; m <= n; ++m)
-            if (const Species& other = scene_.particles[m];
-                other.initial.low == species.initial.low && other.initial.high == species.initial.high)
-                volume += other.count * std::numbers::pi / 6.0 * std::pow(other.diameter, 3);
-        const double fraction = volume / room_of(species);
-        if (fraction > largest_random_fraction)
-            complain(path + ".count", fmt::format("the particles would fill {:.0f} % of their region", 100.0 * fraction),
-                     fmt::format("random placing needs less than {:.0f} %: take fewer, a larger region, or "
-                                 "arrangement: lattice",
-                                 100.0 * largest_random_fraction));
-    }
-
     /// Keys that need others, and keys that would do nothing.
     void check_company()
     {
@@ -179,7 +103,10 @@ private:
         if (!all_good({"coupling.filter", "grid", "particles"})) return;
         double width = coupling.filter.value;
         double largest = 0.0;
-        for (const auto& species : scene_.particles) largest = std::max(largest, species.diameter);
+        for (const Species& species : scene_.particles) {
+            if (!has_sizes(species)) return;
+            largest = std::max(largest, size_range(species)[1]);
+        }
         if (coupling.filter.in_diameters) width *= largest;
         const core::Vec3 domain = scene_.grid.high() - scene_.grid.low();
         if (width > 0.5 * domain.minCoeff())

@@ -47,6 +47,7 @@ void read_fluid_files(Fluid& fluid, const std::filesystem::path& folder, Locatio
 
 /// Finds mistakes that only several keys together show; says nothing about values that could not be read.
 void check_boundaries(const Scene& scene, const Locations& locations, Problems& problems);
+void check_particles(const Scene& scene, const Locations& locations, Problems& problems);
 void check_scene(const Scene& scene, const Locations& locations, Problems& problems);
 
 } // namespace io

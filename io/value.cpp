@@ -122,7 +122,9 @@ std::string form_of(const Value& value)
     case Shape::choice: form = "one of " + words; break;
     case Shape::width: form = "a quantity in m, or in particle diameters ('2 d')" + range; break;
     case Shape::interval: form = "'every 18 ms', 'every 60 s wall', 'every 10 steps' or 'never'"; break;
-    case Shape::points: form = "a list of points, such as [[0 s, 0], [2 s, 1], [4 s, 0.5]], in the order of time"; break;
+    case Shape::points:
+        form = fmt::format("a list of points, such as [[0 {0}, 0], [2 {0}, 1], [4 {0}, 0.5]], the first numbers of which rise", value.unit);
+        break;
     case Shape::direction: form = "+x, -x, +y, -y, +z, -z or three numbers [x, y, z]"; break;
     }
     if (value.length == 3) return "three values [x, y, z], each " + form;

@@ -76,7 +76,7 @@ struct Value {
 [[nodiscard]] Value value_of(std::string& place, std::string_view unit, Range range);
 [[nodiscard]] Value value_of(Width& place, std::string_view unit, Range range);
 [[nodiscard]] Value value_of(Interval& place, std::string_view unit, Range range);
-/// Points [time, number] in the order of time; the unit is that of the times.
+/// Points [quantity, number] in the order of the quantity, which has the unit.
 [[nodiscard]] Value value_of(std::vector<std::array<double, 2>>& place, std::string_view unit, Range range);
 /// Three quantities [x, y, z].
 [[nodiscard]] Value value_of(core::Vec3& place, std::string_view unit, Range range);

@@ -84,16 +84,18 @@ void read_points(const Node& node, const Value& value, std::vector<std::array<do
         reading.problems.add(at.mark, message, "write " + form_of(value));
     };
     if (node.kind != Node::Kind::list) return complain(node, "this must be a list, and is " + name_of(node.kind));
+    const char* quantity = value.unit == "s" ? "time" : "length";
     place.clear();
     for (const Node& item : node.items) {
-        if (item.kind != Node::Kind::list || item.items.size() != 2) return complain(item, "a point [time, value] is needed here");
+        if (item.kind != Node::Kind::list || item.items.size() != 2)
+            return complain(item, fmt::format("a point [{}, value] is needed here", quantity));
         std::array<double, 2> point{};
         const std::size_t before = reading.problems.size();
         value_of(point[0], value.unit, any_number).read(item.items[0], reading);
         value_of(point[1], "1", any_number).read(item.items[1], reading);
         if (reading.problems.size() != before) return;
         if (!place.empty() && point[0] <= place.back()[0])
-            return complain(item, fmt::format("the times of a table must increase, and {} {} follows {} {}", number_text(point[0]),
+            return complain(item, fmt::format("the {}s of a table must increase, and {} {} follows {} {}", quantity, number_text(point[0]),
                                               value.unit, number_text(place.back()[0]), value.unit));
         place.push_back(point);
     }

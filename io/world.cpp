@@ -37,6 +37,7 @@ World::World(const Scene& scene, const core::Communicator& ranks) : World(scene,
 
 World::World(const Scene& scene, core::MultiBlock blocks, const core::Communicator& ranks)
     : scene_(scene),
+      census_(census_of(scene)),
       ranks_(ranks),
       mesh_(std::move(blocks), ranks.rank(), ranks.size()),
       locator_(mesh_),
@@ -56,7 +57,7 @@ World::World(const Scene& scene, core::MultiBlock blocks, const core::Communicat
 
 void World::make_grains()
 {
-    grains_.emplace(make_dynamics(scene_, mesh_));
+    grains_.emplace(make_dynamics(scene_, census_, mesh_));
     contact_step_ = grains_->step();
     const physics::OwnerOf owner_of = [this](const core::Vec3& x) { return this->owner_of(x); };
     add_initial_particles(scene_, owner_of, ranks_.rank(), *grains_);
@@ -74,7 +75,7 @@ int World::owner_of(const core::Vec3& position) const { return locator_.owner(po
 
 void World::make_coupling()
 {
-    coupling_.emplace(locator_, ranks_, halos_, *fluid_, *grains_, *stepper_, coupling_parameters(scene_));
+    coupling_.emplace(locator_, ranks_, halos_, *fluid_, *grains_, *stepper_, coupling_parameters(scene_, census_));
     asked_mode_ = asked_mode(scene_);
 }
 
@@ -98,14 +99,12 @@ double World::settling_left() const { return grains_ ? std::max(0.0, std::ceil(s
 
 void World::settle_batch(const core::Team& team)
 {
-    std::int64_t grains = 0;
-    for (const Species& s : scene_.particles) grains += s.count;
     // About a second of one core, yet enough sub-steps to make up for bringing every grain to its rank after them.
-    const double batch = std::max(20.0, std::floor(1e7 / double(std::max<std::int64_t>(grains, 1))));
+    const double batch = std::max(20.0, std::floor(1e7 / double(std::max<std::int64_t>(census_.count, 1))));
     const int sub_steps = int(std::min(settling_left(), batch));
     if (sub_steps == 0) return;
     set_sub_step(contact_step_);
-    settle_grains(*stepper_, settling_gravity(scene_), sub_steps, team, ranks_);
+    settle_grains(*stepper_, settling_gravity(scene_, census_), sub_steps, team, ranks_);
     settled_ += sub_steps;
     require_finite(*this);
 }
@@ -115,7 +114,7 @@ void World::settle(const core::Team& team)
     if (settling_left() > 0) set_sub_step(contact_step_);
     while (settling_left() > 0) {
         const int sub_steps = int(std::min(settling_left(), 1e9));
-        settle_grains(*stepper_, settling_gravity(scene_), sub_steps, team, ranks_);
+        settle_grains(*stepper_, settling_gravity(scene_, census_), sub_steps, team, ranks_);
         settled_ += sub_steps;
     }
 }

@@ -3,7 +3,7 @@
 #pragma once
 // A scene come to life on this rank: mesh, fluid, grains, their coupling, and the graph of the stages that make a step.
 // What the scene does not name is not there.
-#include "io/scene.hpp"
+#include "io/grain_census.hpp"
 #include "io/state_copy.hpp"
 #include "physics/fluid/time_step.hpp"
 #include "physics/steps/coupled_step.hpp"
@@ -111,6 +111,7 @@ private:
     void set_sub_step(double step);
 
     Scene scene_;
+    GrainCensus census_;
     core::Communicator ranks_;
     core::Mesh mesh_;
     core::Locator locator_;

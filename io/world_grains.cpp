@@ -14,13 +14,9 @@
 namespace io {
 namespace {
 
-double mass_of(const Species& s) { return std::numbers::pi / 6 * std::pow(s.diameter, 3) * s.density; }
-
 /// A share of the shortest contact, within what is stable.
-double sub_step(const Scene& scene, const physics::ParticleParameters& parameters)
+double sub_step(const Scene& scene, double lightest, const physics::ParticleParameters& parameters)
 {
-    double lightest = std::numeric_limits<double>::infinity();
-    for (const Species& s : scene.particles) lightest = std::min(lightest, mass_of(s));
     core::ParticleSet one;
     core::Sphere sphere;
     sphere.density = 1.0;
@@ -42,7 +38,9 @@ std::vector<physics::Group> groups_of(const Scene& scene, const core::Domain& do
     std::vector<physics::Group> groups;
     for (const Species& s : scene.particles) {
         physics::Group group;
-        group.like.radius = s.diameter / 2;
+        if (s.sizes)
+            for (const double d : diameters_of(s)) group.radii.push_back(d / 2);
+        else group.like.radius = *s.diameter / 2;
         group.like.density = s.density;
         group.like.velocity = s.initial.velocity;
         group.like.species = std::int32_t(groups.size());
@@ -54,11 +52,9 @@ std::vector<physics::Group> groups_of(const Scene& scene, const core::Domain& do
 }
 
 /// The boundary of the mesh, continued through its periods by more than any particle reaches.
-physics::WallSurface wall_surface(const Scene& scene, const core::Mesh& mesh, const core::Domain& domain)
+physics::WallSurface wall_surface(double largest, const core::Mesh& mesh, const core::Domain& domain)
 {
     constexpr double smooth_angle = 0.6; // [rad]; a pipe of 12 faces or more is round, the edges of a box are sharp
-    double largest = 0;
-    for (const Species& s : scene.particles) largest = std::max(largest, s.diameter);
     core::Surface surface = core::boundary_surface(mesh, wall_names(mesh), 2 * largest);
     for (core::Vec3& x : surface.vertices) x -= domain.origin;
     return {surface.vertices, surface.quads, smooth_angle};
@@ -91,13 +87,14 @@ std::vector<core::Sphere> placed(const Scene& scene, const core::Domain& domain)
 
 } // namespace
 
-physics::ParticleDynamics make_dynamics(const Scene& scene, const core::Mesh& mesh)
+physics::ParticleDynamics make_dynamics(const Scene& scene, const GrainCensus& census, const core::Mesh& mesh)
 {
     const physics::ParticleParameters parameters = particle_parameters(scene);
     const bool faces = scene.contact->walls == WallShape::faces;
     physics::ParticleDynamics dynamics(make_domain(scene.grid), parameters,
-                                       faces ? std::vector<physics::Wall>{} : primitive_walls(scene.grid), sub_step(scene, parameters));
-    if (faces) dynamics.set_surface(wall_surface(scene, mesh, dynamics.domain()));
+                                       faces ? std::vector<physics::Wall>{} : primitive_walls(scene.grid),
+                                       sub_step(scene, census.lightest, parameters));
+    if (faces) dynamics.set_surface(wall_surface(census.largest, mesh, dynamics.domain()));
     return dynamics;
 }
 
@@ -111,37 +108,27 @@ void add_initial_particles(const Scene& scene, const physics::OwnerOf& owner_of,
         }
 }
 
-core::Vec3 settling_gravity(const Scene& scene)
+core::Vec3 settling_gravity(const Scene& scene, const GrainCensus& census)
 {
     const core::Vec3 gravity = gravity_of(scene);
     if (!scene.fluid) return gravity;
-    double mass = 0, volume = 0;
-    for (const Species& s : scene.particles) {
-        mass += s.count * mass_of(s);
-        volume += s.count * mass_of(s) / s.density;
-    }
-    return (1 - scene.fluid->material.density * volume / mass) * gravity;
+    return (1 - scene.fluid->material.density * census.volume / census.mass) * gravity;
 }
 
-double bed_stiffness(const Scene& scene, const core::Domain& domain, double grains)
+double bed_stiffness(const Scene& scene, const GrainCensus& census, const core::Domain& domain, double grains)
 {
-    double volume = 0, count = 0, smallest = std::numeric_limits<double>::infinity();
-    for (const Species& s : scene.particles) {
-        count += s.count;
-        volume += s.count * mass_of(s) / s.density;
-        smallest = std::min(smallest, s.diameter);
-    }
-    const double layers = count > 0 ? physics::bed_layers(domain, gravity_of(scene), grains * volume / count, smallest) : 1.0;
+    double layers = 1.0;
+    if (census.count > 0)
+        layers = physics::bed_layers(domain, gravity_of(scene), grains * census.volume / double(census.count), census.smallest);
     const double normal = scene.contact->stiffness;
     return physics::bed_stiffness(physics::layer_stiffness(normal, scene.contact->tangential_ratio * normal), layers);
 }
 
-physics::CouplingParameters coupling_parameters(const Scene& scene)
+physics::CouplingParameters coupling_parameters(const Scene& scene, const GrainCensus& census)
 {
     const Coupling coupling = scene.coupling.value_or(Coupling{});
     const bool seed = coupling.preset == CouplingPreset::seed;
-    double lightest_ratio = std::numeric_limits<double>::infinity();
-    for (const Species& s : scene.particles) lightest_ratio = std::min(lightest_ratio, s.density / scene.fluid->material.density);
+    const double lightest_ratio = census.least_density / scene.fluid->material.density;
     constexpr double heavy = 150; // above it added mass is below 1 % (NUMERICS E)
     physics::CouplingParameters p;
     p.fluid_density = scene.fluid->material.density;
@@ -153,7 +140,7 @@ physics::CouplingParameters coupling_parameters(const Scene& scene)
     p.added_mass = wanted(coupling.added_mass, seed || lightest_ratio < heavy) ? 0.5 : 0.0;
     p.lift = wanted(coupling.lift, seed || lightest_ratio < heavy);
     p.torque = wanted(coupling.torque, true);
-    p.filter_width = coupling.filter.in_diameters ? coupling.filter.value * mean_diameter(scene) : coupling.filter.value;
+    p.filter_width = coupling.filter.in_diameters ? coupling.filter.value * census.mean_diameter() : coupling.filter.value;
     return p;
 }
 

@@ -3,27 +3,27 @@
 #pragma once
 // The particles of a scene: their laws, their walls, their places at the start.
 #include "core/grid/mesh.hpp"
-#include "io/scene.hpp"
+#include "io/grain_census.hpp"
 #include "physics/coupling/parameters.hpp"
 #include "physics/particles/stepper.hpp"
 
 namespace io {
 
 /// The dynamics without particles, with the sub-step that the contacts allow.
-[[nodiscard]] physics::ParticleDynamics make_dynamics(const Scene& scene, const core::Mesh& mesh);
+[[nodiscard]] physics::ParticleDynamics make_dynamics(const Scene& scene, const GrainCensus& census, const core::Mesh& mesh);
 
 /// Places all particles and keeps those of this rank.
 void add_initial_particles(const Scene& scene, const physics::OwnerOf& owner_of, int rank, physics::ParticleDynamics& dynamics);
 
 /// Gravity less buoyancy of the mean particle density: the weight under which a bed settles before the fluid is there [m/s2].
-[[nodiscard]] core::Vec3 settling_gravity(const Scene& scene);
+[[nodiscard]] core::Vec3 settling_gravity(const Scene& scene, const GrainCensus& census);
 
 /// How stiff a bed of all grains is as a whole, per grain [N/m].
 /// @param grains  Number of all ranks: an exact one, by which all ranks choose alike.
-[[nodiscard]] double bed_stiffness(const Scene& scene, const core::Domain& domain, double grains);
+[[nodiscard]] double bed_stiffness(const Scene& scene, const GrainCensus& census, const core::Domain& domain, double grains);
 
 /// @pre scene.fluid and particles
-[[nodiscard]] physics::CouplingParameters coupling_parameters(const Scene& scene);
+[[nodiscard]] physics::CouplingParameters coupling_parameters(const Scene& scene, const GrainCensus& census);
 
 /// The mode of coupling that the scene insists on; none for `auto`. @throws core::ConfigError for one that no step has.
 [[nodiscard]] std::optional<physics::Mode> asked_mode(const Scene& scene);

@@ -12,7 +12,7 @@ physics::StabilityNumbers World::stability(double dt) const
 {
     double grains = double(grains_->particles.owned);
     ranks_.sum(std::span(&grains, 1));
-    const physics::StabilityNumbers own = coupling_->stability(dt, bed_stiffness(scene_, grains_->domain(), grains));
+    const physics::StabilityNumbers own = coupling_->stability(dt, bed_stiffness(scene_, census_, grains_->domain(), grains));
     std::array greatest{own.stiffness, own.loading, own.amplification, own.solid_fraction, own.softness};
     ranks_.max(greatest);
     return {greatest[0], greatest[1], greatest[2], greatest[3], grains * sub_steps_ / double(mesh_.total_cells()), greatest[4]};

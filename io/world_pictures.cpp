@@ -34,9 +34,13 @@ Surface wall_of(const core::Mesh& mesh, const PictureFrame& frame)
 std::vector<LegendEntry> legend_of(const Scene& scene)
 {
     std::vector<LegendEntry> legend;
-    for (std::size_t n = 0; n < scene.particles.size(); ++n)
-        legend.push_back({species_colour(int(n)), fmt::format("{}: {} x {:.3g} mm", scene.particles[n].name, scene.particles[n].count,
-                                                              1e3 * scene.particles[n].diameter)});
+    for (std::size_t n = 0; n < scene.particles.size(); ++n) {
+        const Species& species = scene.particles[n];
+        const auto [smallest, largest] = size_range(species);
+        std::string text = fmt::format("{}: {} x {:.3g}", species.name, species.count, 1e3 * smallest);
+        if (largest > smallest) text += fmt::format("-{:.3g}", 1e3 * largest);
+        legend.push_back({species_colour(int(n)), text + " mm"});
+    }
     return legend;
 }
 

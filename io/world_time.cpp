@@ -55,7 +55,7 @@ physics::TimeStepLimit World::limit_of_step() const
     if (coupling_) {
         std::array fastest{physics::largest_speed(grains_->particles)};
         ranks_.max(fastest);
-        const double width = coupling_parameters(scene_).filter_width;
+        const double width = coupling_parameters(scene_, census_).filter_width;
         limit.tighten(physics::grain_move_limit(scene_.run.limits.particle_move, width, fastest[0], pull.norm()), "particle move");
     }
     if (scene_.run.time_step) limit.tighten(*scene_.run.time_step, "time_step of the scene");

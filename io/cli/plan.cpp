@@ -34,6 +34,7 @@ int plan(const std::string& scene_path, const std::vector<std::string>& override
     fmt::print("\nfirst step {:.3g} s, ruled by: {}", first, world.step_limit());
     if (world.grains()) fmt::print("; {} sub-steps", world.sub_steps());
     fmt::print("\n");
+    fmt::print("{}", size_report(scene));
     if (!world.fluid()) fmt::print("no fluid: no fluid stage, no fluid field\n");
     else if (world.fluid()->is_straight())
         fmt::print("faces lie straight between cells: no gradients in cells for viscosity, seven points for pressure\n");

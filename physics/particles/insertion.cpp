@@ -15,6 +15,7 @@ namespace {
 
 constexpr int most_trials = 20000;
 constexpr std::uint64_t order_draw = std::uint64_t(1) << 40; // a draw that no trial uses
+constexpr std::uint64_t size_draw = order_draw + 2;          // and one for each group after it
 
 double distance(const PlaneWall& wall, const core::Vec3& x) { return (x - wall.point).dot(wall.normal.normalized()); }
 
@@ -76,35 +77,38 @@ private:
     std::map<std::array<int, 3>, std::vector<Ball>> bins_;
 };
 
+/// Numbers of `count` spheres, in the random order of draw number `draw`.
+std::vector<std::size_t> shuffled(std::size_t count, std::uint64_t seed, std::uint64_t draw)
+{
+    std::vector<double> place(count);
+    for (std::size_t n = 0; n < count; ++n) place[n] = core::random_uniform(seed, std::int64_t(n), draw)[0];
+    std::vector<std::size_t> order(count);
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return place[a] < place[b]; });
+    return order;
+}
+
 /// One sphere for each particle wanted, without a place.
-std::vector<std::pair<core::Sphere, Region>> wanted(const std::vector<Group>& groups)
+std::vector<std::pair<core::Sphere, Region>> wanted(const std::vector<Group>& groups, std::uint64_t seed)
 {
     std::vector<std::pair<core::Sphere, Region>> all;
-    for (const Group& group : groups)
-        for (int n = 0; n < group.count; ++n) {
-            core::Sphere sphere = group.like;
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+        const auto dealt = shuffled(groups[g].radii.size(), seed, size_draw + g);
+        for (int n = 0; n < groups[g].count; ++n) {
+            core::Sphere sphere = groups[g].like;
             sphere.id = std::int64_t(all.size());
-            all.emplace_back(sphere, group.region);
+            if (!dealt.empty()) sphere.radius = groups[g].radii.at(dealt[std::size_t(n)]);
+            all.emplace_back(sphere, groups[g].region);
         }
+    }
     return all;
 }
 
-double largest_radius(const std::vector<Group>& groups)
+double largest_radius(const std::vector<std::pair<core::Sphere, Region>>& all)
 {
     double largest = 0.0;
-    for (const Group& group : groups) largest = std::max(largest, group.like.radius);
+    for (const auto& [sphere, region] : all) largest = std::max(largest, sphere.radius);
     return largest;
-}
-
-/// Numbers of all spheres, in random order.
-std::vector<std::size_t> shuffled(std::size_t count, std::uint64_t seed)
-{
-    std::vector<std::size_t> order(count);
-    std::iota(order.begin(), order.end(), std::size_t(0));
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-        return core::random_uniform(seed, std::int64_t(a), order_draw)[0] < core::random_uniform(seed, std::int64_t(b), order_draw)[0];
-    });
-    return order;
 }
 
 bool inside(const Region& region, const core::Vec3& x)
@@ -151,11 +155,11 @@ double clearance(const std::vector<Wall>& walls, const core::Vec3& centre, doubl
 std::vector<core::Sphere> place_at_random(const core::Domain& domain, const std::vector<Wall>& walls, const std::vector<Group>& groups,
                                           std::uint64_t seed)
 {
-    auto all = wanted(groups);
+    auto all = wanted(groups, seed);
     std::vector<std::size_t> order(all.size());
     std::iota(order.begin(), order.end(), std::size_t(0));
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return all[a].first.radius > all[b].first.radius; });
-    Placed placed(domain, 2.0 * largest_radius(groups));
+    Placed placed(domain, 2.0 * largest_radius(all));
     for (const std::size_t n : order) {
         auto& [sphere, region] = all[n];
         bool found = false;
@@ -177,9 +181,9 @@ std::vector<core::Sphere> place_at_random(const core::Domain& domain, const std:
 std::vector<core::Sphere> place_on_lattice(const core::Domain& domain, const std::vector<Wall>& walls, const std::vector<Group>& groups,
                                            std::uint64_t seed)
 {
-    const auto all = wanted(groups);
-    const auto order = shuffled(all.size(), seed);
-    const double radius = largest_radius(groups), edge = 2.02 * radius;
+    const auto all = wanted(groups, seed);
+    const auto order = shuffled(all.size(), seed, order_draw);
+    const double radius = largest_radius(all), edge = 2.02 * radius;
     core::Index3 count;
     for (int a = 0; a < 3; ++a) count[a] = std::max(1, int(domain.size[a] / edge));
     std::vector<core::Sphere> spheres(all.size());
@@ -203,9 +207,9 @@ std::vector<core::Sphere> place_on_lattice(const core::Domain& domain, const std
 
 std::vector<core::Sphere> place_packed(const core::Domain& domain, const std::vector<Group>& groups, double spacing, std::uint64_t seed)
 {
-    const auto all = wanted(groups);
-    const auto order = shuffled(all.size(), seed);
-    const double diameter = 2.0 * largest_radius(groups);
+    const auto all = wanted(groups, seed);
+    const auto order = shuffled(all.size(), seed, order_draw);
+    const double diameter = 2.0 * largest_radius(all);
     const std::array<Layers, 3> layers{layers_of(domain, 0, diameter, spacing), layers_of(domain, 1, diameter, spacing),
                                        layers_of(domain, 2, diameter, spacing)};
     std::size_t up = 0;

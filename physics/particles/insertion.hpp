@@ -16,10 +16,11 @@ struct Region {
     core::Vec3 low = core::Vec3::Zero(), high = core::Vec3::Zero(); ///< [m]
 };
 
-/// A group of equal particles to be placed.
+/// A group of particles to be placed, equal but for their sizes.
 struct Group {
     core::Sphere like; ///< all but position and id
     int count = 0;
+    std::vector<double> radii; ///< One for each, dealt out at random; without them all have that of `like` [m].
     Region region;
 };
 

@@ -98,13 +98,13 @@ void save_contacts(World& world, CheckpointWriter& writer)
             const std::int64_t id = grains.particles.id[std::size_t(i)], other = history.other[std::size_t(k)];
             keys.push_back({id, other, 0});
             ids.insert(ids.end(), {id, other});
-            for (const double s : history.spring[std::size_t(k)]) springs.push_back(s);
+            for (int a = 0; a < history.width; ++a) springs.push_back(history.spring[std::size_t(history.width * k + a)]);
         }
     const RowOrder order(world.ranks(), keys);
     const auto sorted_ids = order.apply(std::span<const std::int64_t>(ids), 2);
-    const auto sorted_springs = order.apply(std::span<const double>(springs), 3);
+    const auto sorted_springs = order.apply(std::span<const double>(springs), history.width);
     writer.rows("contacts/ids", std::span<const std::int64_t>(sorted_ids), 2, order.first_row(), order.total_rows());
-    writer.rows("contacts/springs", std::span<const double>(sorted_springs), 3, order.first_row(), order.total_rows());
+    writer.rows("contacts/springs", std::span<const double>(sorted_springs), history.width, order.first_row(), order.total_rows());
 }
 
 /// Row numbers, in the checkpoint, of the particles that this rank shall own.
@@ -123,13 +123,17 @@ void load_contacts(const CheckpointReader& checkpoint, physics::ParticleDynamics
     const std::int64_t count = checkpoint.row_count("contacts/ids");
     const auto ids = checkpoint.rows<std::int64_t>("contacts/ids", 0, count);
     const auto springs = checkpoint.rows<double>("contacts/springs", 0, count);
-    grains.history = core::ContactHistory{};
+    grains.history.clear();
+    const int width = grains.history.width;
     std::size_t row = 0; // rows and particles are both in the order of ids
     for (int i = 0; i < grains.particles.owned; ++i) {
         const std::int64_t id = grains.particles.id[std::size_t(i)];
         while (row < std::size_t(count) && ids[2 * row] < id) ++row;
-        for (; row < std::size_t(count) && ids[2 * row] == id; ++row)
-            grains.history.add(ids[2 * row + 1], {springs[3 * row], springs[3 * row + 1], springs[3 * row + 2]});
+        for (; row < std::size_t(count) && ids[2 * row] == id; ++row) {
+            core::Spring value{};
+            for (int a = 0; a < width; ++a) value[std::size_t(a)] = springs[std::size_t(width) * row + std::size_t(a)];
+            grains.history.add(ids[2 * row + 1], value);
+        }
         grains.history.end_row();
     }
 }

@@ -15,7 +15,7 @@ void pack_particle(const ParticleSet& particles, const ContactHistory& history, 
     write_bytes(bytes, end - begin);
     for (int c = begin; c < end; ++c) {
         write_bytes(bytes, history.other[std::size_t(c)]);
-        write_bytes(bytes, history.spring[std::size_t(c)]);
+        for (int a = 0; a < history.width; ++a) write_bytes(bytes, history.spring[std::size_t(history.width * c + a)]);
     }
 }
 
@@ -31,7 +31,9 @@ void unpack_particles(std::span<const std::byte> bytes, ParticleSet& particles, 
         const int contacts = reader.read<int>();
         for (int c = 0; c < contacts; ++c) {
             const auto other = reader.read<std::int64_t>();
-            history.add(other, reader.read<Spring>());
+            Spring value{};
+            for (int a = 0; a < history.width; ++a) value[std::size_t(a)] = reader.read<double>();
+            history.add(other, value);
         }
         history.end_row();
     }

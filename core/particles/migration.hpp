@@ -12,7 +12,7 @@ namespace core {
 /// Appends owned particle i and its row of `history` to `bytes`.
 void pack_particle(const ParticleSet& particles, const ContactHistory& history, int i, std::vector<std::byte>& bytes);
 
-/// Appends all particles in `bytes` to the owned ones and their rows to `history`. @pre no ghosts
+/// Appends all particles in `bytes` to the owned ones and their rows to `history`. @pre no ghosts; all histories equally wide
 void unpack_particles(std::span<const std::byte> bytes, ParticleSet& particles, ContactHistory& history);
 
 } // namespace core

@@ -29,7 +29,7 @@ void NearPairs::select(const ParticleSet& particles, const PairList& pairs, cons
         second[m] = int(j);
         pair[m] = int(p);
         image[m] = pairs.image[p];
-        for (std::size_t a = 0; a < 3; ++a) spring[a][m] = pairs.spring[a][p];
+        for (std::size_t a = 0; a < spring.size(); ++a) spring[a][m] = pairs.spring[a][p];
         root_mass[m] = std::sqrt(mi * mj / (mi + mj));
         kind[m] = std::uint16_t(particles.species[i] + species_count * particles.species[j]);
         ++m;
@@ -54,6 +54,7 @@ void NearPairs::refresh(const ParticleSet& particles, const PairList& pairs, con
     image.resize(total);
     kind.resize(total);
     root_mass.resize(total);
+    spring.resize(pairs.spring.size());
     for (auto& column : spring) column.resize(total);
     plain_end.resize(index_of(pairs.chunks()));
     shifted_end.resize(index_of(pairs.chunks()));
@@ -77,7 +78,7 @@ void NearPairs::return_springs(PairList& pairs, const Team& team) const
 {
     team.run(pairs.chunks(), [&](int c) {
         for (auto m = index_of(pairs.chunk_begin[index_of(c)]); m < index_of(shifted_end[index_of(c)]); ++m)
-            for (std::size_t a = 0; a < 3; ++a) pairs.spring[a][index_of(pair[m])] = spring[a][m];
+            for (std::size_t a = 0; a < spring.size(); ++a) pairs.spring[a][index_of(pair[m])] = spring[a][m];
     });
 }
 

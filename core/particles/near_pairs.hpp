@@ -17,7 +17,7 @@ public:
 
     std::vector<int> first, second, pair;
     std::vector<std::uint8_t> image;
-    std::array<Column, 3> spring;    ///< Tangential displacement of `first` against `second` [m].
+    std::vector<Column> spring;      ///< As PairList::spring.
     Column root_mass;                ///< sqrt(m1 m2 / (m1 + m2)) [kg^1/2].
     std::vector<std::uint16_t> kind; ///< Species of first + species_count * species of second.
     std::vector<int> plain_end, shifted_end;

@@ -57,7 +57,7 @@ void PairList::copy_chunk(const ParticleSet& particles, const ContactHistory& hi
         image[p] = pair.image;
         const int low = std::min(pair.first, pair.second), high = std::max(pair.first, pair.second);
         const Spring kept = history.find(low, particles.id[index_of(high)]);
-        for (std::size_t a = 0; a < 3; ++a) spring[a][p] = kept[a];
+        for (std::size_t a = 0; a < spring.size(); ++a) spring[a][p] = kept[a];
         const int other = high / particles_per_chunk;
         if (high < particles.owned && other != chunk && std::find(later.begin(), later.end(), other) == later.end()) later.push_back(other);
         ++p;
@@ -76,6 +76,7 @@ void PairList::build(const ParticleSet& particles, const CellList& cells, double
     first.resize(total);
     second.resize(total);
     image.resize(total);
+    spring.resize(index_of(history.width));
     for (auto& column : spring) column.resize(total);
     team.run(count, [&](int c) { copy_chunk(particles, history, c); });
     build_rows(particles, team);
@@ -112,8 +113,9 @@ void PairList::append_row(const ParticleSet& particles, int i, ContactHistory& h
     for (int k = row_begin[index_of(i)]; k < row_begin[index_of(i) + 1]; ++k) {
         const int entry = row[index_of(k)];
         const auto p = index_of(entry / 2);
-        const Spring value{spring[0][p], spring[1][p], spring[2][p]};
-        if (value == Spring{0.0, 0.0, 0.0}) continue;
+        Spring value{};
+        for (std::size_t a = 0; a < spring.size(); ++a) value[a] = spring[a][p];
+        if (value == Spring{}) continue;
         history.add(particles.id[index_of(entry % 2 == 0 ? second[p] : first[p])], value);
     }
 }

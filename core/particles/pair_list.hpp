@@ -27,7 +27,7 @@ public:
     std::vector<int> first, second;      ///< Places in the particle set; `first` has the lower id.
     std::vector<std::uint8_t> image;     ///< The image of `second` that `first` meets.
     std::vector<int> chunk_begin{0};     ///< First pair of each chunk of particles, and the end.
-    std::array<Column, 3> spring;        ///< Tangential displacement of `first` against `second` [m].
+    std::vector<Column> spring;          ///< Springs of `first` against `second`: as many columns as the history is wide.
     std::vector<int> row_begin{0};       ///< First entry of each owned particle in `row`, and the end.
     std::vector<int> row;                ///< 2 pair + (0 if the particle is `first`, 1 if `second`), in order of the other's id.
     std::vector<std::vector<int>> links; ///< For each chunk: the later chunks whose particles its pairs touch.

@@ -17,20 +17,25 @@ constexpr double coincident_share = 1e-10;
 struct PairColumns {
     const int *first, *second;
     const double* root_mass;
-    double *sx, *sy, *sz;
+    std::vector<core::Column>& spring;
     ContactForce* forces;
+    ContactCouple* couples;
 };
 
 /// The law of near pair m: the only one, or that of its two species.
+template <class Law>
 struct OneLaw {
-    LinearContact law;
-    const LinearContact& operator()(int) const { return law; }
+    using law_type = Law;
+    Law law;
+    const Law& operator()(int) const { return law; }
 };
 
+template <class Law>
 struct LawTable {
-    const LinearContact* laws;
+    using law_type = Law;
+    const Law* laws;
     const std::uint16_t* kind;
-    const LinearContact& operator()(int m) const { return laws[kind[m]]; }
+    const Law& operator()(int m) const { return laws[kind[m]]; }
 };
 
 /// What the particles of some consecutive pairs bring together, and what comes out: small enough for the innermost cache.
@@ -40,6 +45,7 @@ struct alignas(64) PairBlock {
     Lane dx, dy, dz, vx, vy, vz;         ///< Second centre from the first; velocity of the first against the second.
     Lane ri, rj, ax, ay, az, bx, by, bz; ///< Radii and spins.
     Lane fx, fy, fz, tx, ty, tz, li, lj; ///< Force, normal x force, lever arms.
+    Lane mx, my, mz;                     ///< Torque against turning.
 };
 
 /// Reads pairs [begin, begin + count); the places up to the next multiple of four repeat the last one.
@@ -72,11 +78,12 @@ void separate(const PairScene& scene, const PairColumns& pair, int begin, int co
 template <class LawOf>
 void evaluate_block(const PairColumns& pair, int begin, int count, LawOf law_of, PairBlock& b)
 {
-    double *sx = pair.sx + begin, *sy = pair.sy + begin, *sz = pair.sz + begin;
+    using Law = typename LawOf::law_type;
+    const SpringColumns springs = spring_columns(pair.spring, std::size_t(begin));
     const double* root_mass = pair.root_mass + begin;
 #pragma omp simd
     for (int k = 0; k < count; ++k) {
-        const LinearContact& law = law_of(begin + k);
+        const Law& law = law_of(begin + k);
         const double dx = b.dx[k], dy = b.dy[k], dz = b.dz[k];
         const double distance = std::sqrt(dx * dx + dy * dy + dz * dz), inverse = 1.0 / distance;
         ContactInput in;
@@ -96,14 +103,12 @@ void evaluate_block(const PairColumns& pair, int begin, int count, LawOf law_of,
         in.wy = li * b.ay[k] + lj * b.by[k];
         in.wz = li * b.az[k] + lj * b.bz[k];
         in.twist = 0.5 * ((b.ax[k] + b.bx[k]) * in.nx + (b.ay[k] + b.by[k]) * in.ny + (b.az[k] + b.bz[k]) * in.nz);
-        in.sx = sx[k];
-        in.sy = sy[k];
-        in.sz = sz[k];
         in.root_mass = root_mass[k];
-        const ContactOutput out = law(in);
-        sx[k] = out.sx;
-        sy[k] = out.sy;
-        sz[k] = out.sz;
+        in.radius = b.ri[k] * b.rj[k] / (b.ri[k] + b.rj[k]);
+        in.ux = b.ax[k] - b.bx[k];
+        in.uy = b.ay[k] - b.by[k];
+        in.uz = b.az[k] - b.bz[k];
+        const auto out = move_springs(law, in, springs, k);
         b.fx[k] = out.fx;
         b.fy[k] = out.fy;
         b.fz[k] = out.fz;
@@ -112,6 +117,11 @@ void evaluate_block(const PairColumns& pair, int begin, int count, LawOf law_of,
         b.tz[k] = in.nx * out.fy - in.ny * out.fx;
         b.li[k] = li;
         b.lj[k] = lj;
+        if constexpr (Law::resists_turning) {
+            b.mx[k] = out.mx;
+            b.my[k] = out.my;
+            b.mz[k] = out.mz;
+        }
     }
 }
 
@@ -127,6 +137,11 @@ void write_block(const PairBlock& b, int count, ContactForce* forces)
             core::store_four(forces[k + lane].torque, t[lane]);
         }
     }
+}
+
+void write_couples(const PairBlock& b, int count, ContactCouple* couples)
+{
+    for (int k = 0; k < count; ++k) couples[k] = {{b.mx[k], b.my[k], b.mz[k], 0.0}};
 }
 
 bool any_coincident(const PairBlock& b, int count)
@@ -150,6 +165,7 @@ void run_pairs(const PairScene& scene, const PairColumns& pair, int begin, int e
         if (any_coincident(block, count)) separate(scene, pair, begin, count, block);
         evaluate_block(pair, begin, count, law_of, block);
         write_block(block, count, pair.forces + begin);
+        if constexpr (LawOf::law_type::resists_turning) write_couples(block, count, pair.couples + begin);
     }
 }
 
@@ -172,7 +188,7 @@ void separate(const PairScene& scene, const PairColumns& pair, int begin, int co
         b.dx[k] = least * d[0];
         b.dy[k] = least * d[1];
         b.dz[k] = least * d[2];
-        pair.sx[m] = pair.sy[m] = pair.sz[m] = 0.0;
+        for (auto& column : pair.spring) column[std::size_t(m)] = 0.0;
     }
 }
 
@@ -189,34 +205,18 @@ void run_chunk(const PairScene& scene, const core::NearPairs& near, int chunk, c
     });
 }
 
-ContactLaws laws_of(const std::vector<ContactParameters>& entries, int wanted, double step)
-{
-    const int count = int(entries.size());
-    core::require<core::ConfigError>(count == 1 || count == wanted,
-                                     core::text(count, " sets of contact parameters are given where 1 or ", wanted, " are needed"));
-    ContactLaws laws;
-    for (const auto& entry : entries) laws.push_back(linear_contact(entry, step));
-    return laws;
-}
-
 } // namespace
 
-ContactLaws pair_laws(const ParticleParameters& parameters, double step)
+void pair_forces(const PairScene& scene, core::NearPairs& near, int chunk, PairForces& forces)
 {
-    return laws_of(parameters.pairs, parameters.species * parameters.species, step);
-}
-
-ContactLaws wall_laws(const ParticleParameters& parameters, double step) { return laws_of(parameters.walls, parameters.species, step); }
-
-void pair_forces(const PairScene& scene, core::NearPairs& near, int chunk, std::span<ContactForce> forces)
-{
-    const PairColumns pair{near.first.data(),     near.second.data(),    near.root_mass.data(), near.spring[0].data(),
-                           near.spring[1].data(), near.spring[2].data(), forces.data()};
-    if (scene.laws.size() == 1) {
-        run_chunk(scene, near, chunk, pair, OneLaw{scene.laws.front()});
-    } else {
-        run_chunk(scene, near, chunk, pair, LawTable{scene.laws.data(), near.kind.data()});
-    }
+    const PairColumns pair{near.first.data(), near.second.data(),   near.root_mass.data(),
+                           near.spring,       forces.forces.data(), forces.couples.data()};
+    std::visit(
+        [&]<class Law>(const std::vector<Law>& laws) {
+            if (laws.size() == 1) run_chunk(scene, near, chunk, pair, OneLaw<Law>{laws.front()});
+            else run_chunk(scene, near, chunk, pair, LawTable<Law>{laws.data(), near.kind.data()});
+        },
+        scene.laws);
 }
 
 } // namespace physics

@@ -3,10 +3,8 @@
 #pragma once
 // Forces of touching pairs, first pair by pair, then summed for each particle in the order of its neighbours' ids.
 #include "core/particles/near_pairs.hpp"
-#include "physics/particles/contact_law.hpp"
+#include "physics/particles/contact_laws.hpp"
 #include "physics/particles/motion_records.hpp"
-
-#include <span>
 
 namespace physics {
 
@@ -16,13 +14,21 @@ struct alignas(64) ContactForce {
     double torque[4]; ///< [N]; fourth: distance from the second centre.
 };
 
-/// The laws of all pairs of species; law of near pair m: entry kind[m], or the only one.
-using ContactLaws = std::vector<LinearContact>;
+/// Torque on the first particle; the second receives the opposite [N m].
+struct alignas(32) ContactCouple {
+    double torque[4]; ///< The fourth is not used.
+};
 
-/// The laws of `parameters.pairs`, species x species. @throws core::ConfigError for a wrong number of entries.
-[[nodiscard]] ContactLaws pair_laws(const ParticleParameters& parameters, double step);
-/// The laws of `parameters.walls`, one for each species.
-[[nodiscard]] ContactLaws wall_laws(const ParticleParameters& parameters, double step);
+/// What the contacts of pairs do, one place for each pair of the pair list.
+struct PairForces {
+    std::vector<ContactForce> forces;
+    std::vector<ContactCouple> couples; ///< Empty where contacts do not resist turning.
+    void resize(std::size_t pairs, const ContactLaws& laws)
+    {
+        forces.resize(pairs);
+        couples.resize(resist_turning(laws) ? pairs : 0);
+    }
+};
 
 /// What the force of a pair depends on.
 struct PairScene {
@@ -35,7 +41,6 @@ struct PairScene {
 };
 
 /// Forces of the near pairs of `chunk`; moves their springs one step on.
-/// @param[out] forces  One place for each pair of the pair list.
-void pair_forces(const PairScene& scene, core::NearPairs& near, int chunk, std::span<ContactForce> forces);
+void pair_forces(const PairScene& scene, core::NearPairs& near, int chunk, PairForces& forces);
 
 } // namespace physics

@@ -32,6 +32,7 @@ ParticleDynamics::ParticleDynamics(const core::Domain& domain, const ParticlePar
       shifts_(core::image_shifts(domain))
 {
     near_.species_count = parameters.species;
+    if (resist_turning(pair_laws_) || resist_turning(wall_laws_)) history.width = core::rolling_memory;
 }
 
 void ParticleDynamics::set_reach(double greatest_radius)
@@ -83,7 +84,7 @@ void ParticleDynamics::dissolve(const core::Team& team)
 {
     if (built_) {
         return_springs(team);
-        history = core::ContactHistory{};
+        history.clear();
         for (int i = 0; i < particles.owned; ++i) {
             pairs_.append_row(particles, i, history);
             walls_.append_row(i, history);
@@ -139,7 +140,7 @@ void ParticleDynamics::build(const core::Team& team)
     pairs_.build(particles, cells_, skin_, history, team);
     walls_.build(particles, 0.5 * skin_, history); // walls do not come closer themselves
     if (!surface_.empty()) surface_.build(particles, 0.5 * skin_, 0.5 * near_skin_, history);
-    forces_.resize(index_of(pairs_.size()));
+    forces_.resize(index_of(pairs_.size()), pair_laws_);
     records_.resize(particles.size());
     records_.update(particles, 0, particles.size());
     for (std::size_t a = 0; a < 3; ++a)
@@ -185,6 +186,7 @@ void ParticleDynamics::sum_chunk(int chunk, ForceSums& sums)
     sums.begin = chunk * core::particles_per_chunk;
     sums.end = std::min(particles.owned, sums.begin + core::particles_per_chunk);
     sum_pair_forces(pairs_, near_, forces_, sums);
+    if (!forces_.couples.empty()) add_pair_couples(pairs_, near_, forces_, sums);
     if (!walls_.empty()) walls_.add_forces(particles, wall_laws_, chunk, sums);
     if (!surface_.empty()) surface_.add_forces(particles, wall_laws_, chunk, sums);
 }

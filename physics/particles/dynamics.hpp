@@ -89,7 +89,7 @@ private:
     core::CellList cells_;
     core::PairList pairs_;
     core::NearPairs near_;
-    std::vector<ContactForce> forces_;
+    PairForces forces_;
     MotionRecords records_;
     core::Triple reference_; // positions at the last rebuild
     bool built_ = false, near_built_ = false;

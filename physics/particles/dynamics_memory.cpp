@@ -29,7 +29,7 @@ std::size_t room_of(const core::PairList& pairs, const core::NearPairs& near)
 {
     std::size_t bytes = room_of_all(pairs.first, pairs.second, pairs.image, pairs.row_begin, pairs.row);
     bytes += room_of_all(near.first, near.second, near.pair, near.image, near.root_mass, near.kind, near.row, near.row_end);
-    for (std::size_t a = 0; a < 3; ++a) bytes += room_of_all(pairs.spring[a], near.spring[a]);
+    for (std::size_t a = 0; a < pairs.spring.size(); ++a) bytes += room_of_all(pairs.spring[a], near.spring[a]);
     return bytes;
 }
 
@@ -37,7 +37,8 @@ std::size_t room_of(const core::PairList& pairs, const core::NearPairs& near)
 
 std::size_t ParticleDynamics::bytes() const
 {
-    return room_of(particles) + room_of(pairs_, near_) + room_of_all(history.start, history.other, history.spring, forces_) +
+    return room_of(particles) + room_of(pairs_, near_) +
+           room_of_all(history.start, history.other, history.spring, forces_.forces, forces_.couples) +
            particles.id.capacity() * sizeof(MotionRecords::Record) + room_of_all(reference_[0], reference_[1], reference_[2]);
 }
 

@@ -16,8 +16,9 @@ struct alignas(64) ForceSums {
 };
 
 /// Sums the pair forces of each particle of `chunk` in the order of its neighbours' ids.
-inline void sum_pair_forces(const core::PairList& pairs, const core::NearPairs& near, std::span<const ContactForce> forces, ForceSums& sums)
+inline void sum_pair_forces(const core::PairList& pairs, const core::NearPairs& near, const PairForces& all, ForceSums& sums)
 {
+    const auto& forces = all.forces;
     for (int i = sums.begin; i < sums.end; ++i) {
         core::Four force{}, torque{};
         for (int k = pairs.row_begin[std::size_t(i)]; k < near.row_end[std::size_t(i)]; ++k) {
@@ -33,6 +34,20 @@ inline void sum_pair_forces(const core::PairList& pairs, const core::NearPairs& 
             sums.force[a][k] = force[int(a)];
             sums.torque[a][k] = torque[int(a)];
         }
+    }
+}
+
+/// Adds the pairs' torques against turning in the same order.
+inline void add_pair_couples(const core::PairList& pairs, const core::NearPairs& near, const PairForces& all, ForceSums& sums)
+{
+    for (int i = sums.begin; i < sums.end; ++i) {
+        core::Four torque{};
+        for (int k = pairs.row_begin[std::size_t(i)]; k < near.row_end[std::size_t(i)]; ++k) {
+            const int entry = near.row[std::size_t(k)];
+            const double sign = (entry & 1) != 0 ? -1.0 : 1.0;
+            torque += sign * core::load_four(all.couples[std::size_t(entry >> 1)].torque);
+        }
+        for (std::size_t a = 0; a < 3; ++a) sums.torque[a][std::size_t(i - sums.begin)] += torque[int(a)];
     }
 }
 

@@ -9,12 +9,25 @@
 
 namespace physics {
 
+enum class ContactModel { linear, hertz };
+
+/// How a contact resists rolling and twisting: by a torque that is constant (A of Ai et al. 2011), or by a spring and a dashpot
+/// that yield at that torque (C), which hold a particle at rest.
+enum class RollingModel { constant, spring };
+
 /// Contact between two materials.
 struct ContactParameters {
-    double stiffness = 1000.0;               ///< Normal spring k_n [N/m].
-    double tangential_stiffness = 2.0 / 7.0; ///< k_t / k_n [-].
+    double stiffness = 1000.0;               ///< Linear: normal spring k_n [N/m].
+    double tangential_stiffness = 2.0 / 7.0; ///< Linear: k_t / k_n [-].
     double restitution = 0.6;                ///< Rebound speed over approach speed, head-on, 0.01..1 [-].
     double friction = 0.5;                   ///< Coulomb's coefficient [-].
+    ContactModel model = ContactModel::linear;
+    double young_modulus = 0.0; ///< Hertz: effective, 1 / E = (1 - nu1^2) / E1 + (1 - nu2^2) / E2 [Pa].
+    double shear_modulus = 0.0; ///< Hertz: effective, 1 / G = (2 - nu1) / G1 + (2 - nu2) / G2 [Pa].
+    RollingModel rolling = RollingModel::spring;
+    double rolling_friction = 0.0;  ///< Greatest torque against rolling over normal force and reduced radius [-].
+    double twisting_friction = 0.0; ///< The same against twisting [-].
+    double cohesion = 0.0;          ///< Work of adhesion [J/m2].
 };
 
 struct ParticleParameters {

@@ -21,25 +21,28 @@ core::Four gather(const core::Column& column, const std::array<int, 4>& i)
 
 core::Spring spring_of(const Vec3& v) { return {v[0], v[1], v[2]}; }
 Vec3 vector_of(const core::Spring& s) { return {s[0], s[1], s[2]}; }
+Vec3 turn_of(const core::Spring& s) { return {s[3], s[4], s[5]}; }
 
-/// The spring of the contact among [first, last) of the most similar normal, which is spent; zero if there is none.
-template <class Iterator>
-Vec3 take_spring(Iterator first, Iterator last, const Vec3& normal)
+} // namespace
+
+core::Spring SurfaceContacts::take_spring(Chunk& chunk, std::ptrdiff_t first, std::ptrdiff_t last, const Vec3& normal)
 {
-    Iterator best = last;
+    const auto begin = chunk.contacts_before.begin();
+    auto best = begin + last;
     double likeness = same_friction;
-    for (Iterator c = first; c != last; ++c) {
+    for (auto c = begin + first; c != begin + last; ++c) {
         const double like = c->normal.dot(normal);
         if (like <= likeness) continue;
         likeness = like;
         best = c;
     }
-    if (best == last) return Vec3::Zero();
+    if (best == begin + last) return {};
     best->normal.setZero();
-    return best->spring;
+    core::Spring spring = spring_of(best->spring);
+    if (!chunk.turns_before.empty())
+        for (int a = 0; a < 3; ++a) spring[index_of(3 + a)] = chunk.turns_before[std::size_t(best - begin)][a];
+    return spring;
 }
-
-} // namespace
 
 void SurfaceContacts::build(const core::ParticleSet& particles, double skin, double near_skin, const core::ContactHistory& history)
 {
@@ -51,13 +54,15 @@ void SurfaceContacts::build(const core::ParticleSet& particles, double skin, dou
         if (i % core::particles_per_chunk == 0) {
             chunk.listed = Pairs{};
             chunk.contacts.clear();
+            chunk.turns.clear();
         }
         surface_.candidates(particles.position_of(i), particles.radius[index_of(i)], skin, found);
         for (const int t : found) chunk.listed.add(i, t);
         for (std::int64_t k = first_feature;; k += 2) {
-            const Vec3 spring = vector_of(history.find(i, core::wall_key(k)));
-            if (spring.isZero(0.0)) break;
-            chunk.contacts.push_back({i, vector_of(history.find(i, core::wall_key(k + 1))), spring});
+            const core::Spring spring = history.find(i, core::wall_key(k));
+            if (spring == core::Spring{}) break;
+            chunk.contacts.push_back({i, vector_of(history.find(i, core::wall_key(k + 1))), vector_of(spring)});
+            if (history.width == core::rolling_memory) chunk.turns.push_back(turn_of(spring));
         }
     }
     for (auto& chunk : chunks_) make_filters(particles, chunk);
@@ -105,13 +110,17 @@ void SurfaceContacts::append_row(int i, core::ContactHistory& history) const
 {
     const std::size_t c = index_of(i / core::particles_per_chunk);
     if (c >= chunks_.size()) return;
-    const auto& contacts = chunks_[c].contacts;
+    const Chunk& chunk = chunks_[c];
+    const auto& contacts = chunk.contacts;
     auto contact =
         std::lower_bound(contacts.begin(), contacts.end(), i, [](const Contact& a, int particle) { return a.particle < particle; });
     std::int64_t k = first_feature;
     for (; contact != contacts.end() && contact->particle == i; ++contact) {
-        if (contact->spring.isZero(0.0)) continue;
-        history.add(core::wall_key(k++), spring_of(contact->spring));
+        core::Spring spring = spring_of(contact->spring);
+        if (!chunk.turns.empty())
+            for (int a = 0; a < 3; ++a) spring[index_of(3 + a)] = chunk.turns[std::size_t(contact - contacts.begin())][a];
+        if (spring == core::Spring{}) continue;
+        history.add(core::wall_key(k++), spring);
         history.add(core::wall_key(k++), spring_of(contact->normal));
     }
 }
@@ -195,19 +204,21 @@ void SurfaceContacts::find_touches(const Vec3& centre, double radius, int begin,
 void SurfaceContacts::finish(const core::ParticleSet& p, const ContactLaws& laws, SurfaceTouches& block, Chunk& chunk, ForceSums& sums)
 {
     const ParticleColumns columns(p);
-    if (laws.size() == 1) block.evaluate(columns, [law = laws.front()](std::size_t) -> const LinearContact& { return law; });
-    else block.evaluate(columns, [&](std::size_t i) -> const LinearContact& { return laws[index_of(p.species[i])]; });
+    with_wall_laws(laws, p, [&](const auto law_of) { block.evaluate(columns, law_of); });
     block.add_to(SumColumns(sums), index_of(sums.begin));
-    for (int k = 0; k < block.count; ++k) chunk.contacts.push_back({block.particle[k], block.normal(k), block.spring(k)});
+    for (int k = 0; k < block.count; ++k) chunk.contacts.push_back({block.particle[k], block.normal(k), block.tangential(k)});
+    for (int k = 0; k < block.count && block.turning; ++k) chunk.turns.push_back(block.turn(k));
     block.count = 0;
 }
 
 void SurfaceContacts::add_forces(const core::ParticleSet& p, const ContactLaws& laws, int chunk_number, ForceSums& sums)
 {
     Chunk& chunk = chunks_[index_of(chunk_number)];
-    find_feet(p, 0.5 * laws.front().step, chunk);
+    find_feet(p, 0.5 * step_of(laws), chunk);
     std::swap(chunk.contacts, chunk.contacts_before);
     chunk.contacts.clear();
+    std::swap(chunk.turns, chunk.turns_before);
+    chunk.turns.clear();
     SurfaceTouches block;
     const auto old_end = chunk.contacts_before.end();
     auto old = chunk.contacts_before.begin();
@@ -221,7 +232,8 @@ void SurfaceContacts::add_forces(const core::ParticleSet& p, const ContactLaws& 
         while (next != old_end && next->particle == i) ++next;
         const auto add = [&](const Touch& t) {
             if (block.count == SurfaceTouches::size) finish(p, laws, block, chunk, sums);
-            block.add(i, t.hit.normal, t.before, t.hit.depth, take_spring(old, next, -t.hit.normal));
+            const auto start = chunk.contacts_before.begin();
+            block.add(i, t.hit.normal, t.before, t.hit.depth, take_spring(chunk, old - start, next - start, -t.hit.normal));
         };
         if (end == begin + 1 && chunk.plain[index_of(begin)]) { // most of them
             const Feet& feet = chunk.feet[index_of(begin / 4)];

@@ -70,12 +70,15 @@ private:
         std::vector<Feet> feet;
         std::vector<Touch> touches; ///< Of one particle.
         std::vector<Contact> contacts, contacts_before;
+        std::vector<core::Vec3> turns, turns_before; ///< Of the contacts, in scenes whose contacts resist turning.
     };
     void gather_patches(Chunk& chunk) const;
     [[nodiscard]] FourPatches patches_of(const Pairs& pairs, int begin) const;
     void find_feet(const core::ParticleSet& particles, double half_step, Chunk& chunk) const;
     [[nodiscard]] static Touch touch_of(const Feet& feet, int lane);
     void find_touches(const core::Vec3& centre, double radius, int begin, int end, Chunk& chunk) const;
+    /// The springs of the contact among [first, last) of contacts_before of the most similar normal, which is spent; zero if there is none.
+    [[nodiscard]] static core::Spring take_spring(Chunk& chunk, std::ptrdiff_t first, std::ptrdiff_t last, const core::Vec3& normal);
     static void finish(const core::ParticleSet& particles, const ContactLaws& laws, SurfaceTouches& block, Chunk& chunk, ForceSums& sums);
 
     void make_filters(const core::ParticleSet& particles, Chunk& chunk) const;

@@ -11,12 +11,14 @@ struct alignas(64) SurfaceTouches {
     using Lane = double[size];
     int particle[size];
     Lane nx, ny, nz, mx, my, mz, depth; ///< As in WallMeeting.
-    Lane sx, sy, sz;                    ///< Tangential springs, before and after.
+    Lane spring[core::rolling_memory];  ///< Springs, before and after.
     Lane fx, fy, fz;                    ///< Forces [N].
+    Lane tx, ty, tz;                    ///< Torques against turning [N m].
+    bool turning = false;               ///< True if contacts resist turning.
     int count = 0;
 
     /// @param normal,before  From the surface to the particle, now and half a step ago.
-    void add(int i, const core::Vec3& normal, const core::Vec3& before, double depth_there, const core::Vec3& spring)
+    void add(int i, const core::Vec3& normal, const core::Vec3& before, double depth_there, const core::Spring& before_spring)
     {
         const int k = count++;
         particle[k] = i;
@@ -27,40 +29,45 @@ struct alignas(64) SurfaceTouches {
         my[k] = -before[1];
         mz[k] = -before[2];
         depth[k] = depth_there;
-        sx[k] = spring[0];
-        sy[k] = spring[1];
-        sz[k] = spring[2];
+        for (std::size_t a = 0; a < before_spring.size(); ++a) spring[a][k] = before_spring[a];
     }
     [[nodiscard]] core::Vec3 normal(int k) const { return {nx[k], ny[k], nz[k]}; }
-    [[nodiscard]] core::Vec3 spring(int k) const { return {sx[k], sy[k], sz[k]}; }
+    [[nodiscard]] core::Vec3 tangential(int k) const { return {spring[0][k], spring[1][k], spring[2][k]}; }
+    [[nodiscard]] core::Vec3 turn(int k) const { return {spring[3][k], spring[4][k], spring[5][k]}; }
     [[nodiscard]] WallMeeting at(int k) const { return {nx[k], ny[k], nz[k], mx[k], my[k], mz[k], depth[k]}; }
 
     /// Forces; moves the springs one step on. law_of(i) is the law of particle i.
     template <class LawOf>
     void evaluate(const ParticleColumns& columns, LawOf law_of)
     {
+        using Law = std::decay_t<decltype(law_of(0))>;
+        const SpringColumns springs{spring[0], spring[1], spring[2], spring[3], spring[4], spring[5]};
+        turning = Law::resists_turning;
 #pragma omp simd
         for (int k = 0; k < count; ++k) {
             const auto i = std::size_t(particle[k]);
-            const LinearContact& law = law_of(i);
+            const Law& law = law_of(i);
             ContactInput in = wall_input(columns, i, at(k));
-            in.sx = sx[k];
-            in.sy = sy[k];
-            in.sz = sz[k];
-            const ContactOutput out = law(in);
-            sx[k] = out.sx;
-            sy[k] = out.sy;
-            sz[k] = out.sz;
+            const auto out = move_springs(law, in, springs, k);
             fx[k] = out.fx;
             fy[k] = out.fy;
             fz[k] = out.fz;
+            if constexpr (Law::resists_turning) {
+                tx[k] = out.mx;
+                ty[k] = out.my;
+                tz[k] = out.mz;
+            }
         }
     }
 
     /// Adds the forces to the sums of a chunk whose first particle is `first`, one after the other.
     void add_to(const SumColumns& sums, std::size_t first) const
     {
-        for (int k = 0; k < count; ++k) add_wall_force({fx[k], fy[k], fz[k], 0.0, 0.0, 0.0}, at(k), std::size_t(particle[k]) - first, sums);
+        for (int k = 0; k < count; ++k) {
+            const GeneralOutput out{{fx[k], fy[k], fz[k], 0.0, 0.0, 0.0, 0.0}, tx[k], ty[k], tz[k], 0.0, 0.0, 0.0};
+            if (turning) add_wall_force(out, at(k), std::size_t(particle[k]) - first, sums);
+            else add_wall_force(static_cast<const ContactOutput&>(out), at(k), std::size_t(particle[k]) - first, sums);
+        }
     }
 };
 

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "physics/particles/time_step.hpp"
 #include "core/base/error.hpp"
-#include "physics/particles/contact_law.hpp"
+#include "physics/particles/restitution.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numbers>
 

@@ -68,6 +68,10 @@ struct SumColumns {
     in.wz = at.depth * p.wz[i];
     in.twist = 0.5 * (p.wx[i] * at.nx + p.wy[i] * at.ny + p.wz[i] * at.nz);
     in.root_mass = std::sqrt(p.mass[i]);
+    in.radius = p.radius[i];
+    in.ux = p.wx[i];
+    in.uy = p.wy[i];
+    in.uz = p.wz[i];
     return in;
 }
 
@@ -80,6 +84,15 @@ struct SumColumns {
     sums.tx[k] += at.depth * (at.ny * f.fz - at.nz * f.fy);
     sums.ty[k] += at.depth * (at.nz * f.fx - at.nx * f.fz);
     sums.tz[k] += at.depth * (at.nx * f.fy - at.ny * f.fx);
+}
+
+/// The same with the torque against turning.
+[[gnu::always_inline]] inline void add_wall_force(const GeneralOutput& f, const WallMeeting& at, std::size_t k, const SumColumns& sums)
+{
+    add_wall_force(static_cast<const ContactOutput&>(f), at, k, sums);
+    sums.tx[k] += f.mx;
+    sums.ty[k] += f.my;
+    sums.tz[k] += f.mz;
 }
 
 } // namespace physics

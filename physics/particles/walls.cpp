@@ -49,36 +49,29 @@ struct CylinderMeeting {
 PlaneMeeting meeting_of(const PlaneWall& w) { return PlaneMeeting(w); }
 CylinderMeeting meeting_of(const CylinderWall& w) { return CylinderMeeting(w); }
 
-/// The contacts of one wall: particles, no two alike, and springs.
+/// The contacts [begin, end) of one wall: particles, no two alike, and springs.
 struct WallColumns {
     const int* particle;
-    double *sx, *sy, *sz;
+    SpringColumns springs;
+    int begin, end;
 };
 
-/// Contacts [begin, end); law_of(i) is the law of particle i.
+/// law_of(i) is the law of particle i.
 template <class Meet, class LawOf>
-void run_contacts(const core::ParticleSet& p, const WallColumns& wall, int begin, int end, const Meet meet, const LawOf law_of,
-                  ForceSums& sums)
+void run_contacts(const core::ParticleSet& p, const WallColumns& wall, const Meet meet, const LawOf law_of, ForceSums& sums)
 {
     const ParticleColumns columns(p);
     const SumColumns add(sums);
     const auto first = index_of(sums.begin);
 #pragma omp simd
-    for (int k = begin; k < end; ++k) {
+    for (int k = wall.begin; k < wall.end; ++k) {
         const auto i = index_of(wall.particle[k]);
-        const LinearContact& law = law_of(i);
+        const auto& law = law_of(i);
         const double half = 0.5 * law.step;
         const WallMeeting at =
             meet(columns.x[i], columns.y[i], columns.z[i], half * columns.vx[i], half * columns.vy[i], half * columns.vz[i]);
         ContactInput in = wall_input(columns, i, at);
-        in.sx = wall.sx[k];
-        in.sy = wall.sy[k];
-        in.sz = wall.sz[k];
-        const ContactOutput out = law(in);
-        wall.sx[k] = out.sx;
-        wall.sy[k] = out.sy;
-        wall.sz[k] = out.sz;
-        add_wall_force(out, at, i - first, add);
+        add_wall_force(move_springs(law, in, wall.springs, k), at, i - first, add);
     }
 }
 
@@ -106,7 +99,7 @@ void WallContacts::build(const core::ParticleSet& p, double skin, const core::Co
         list.all.particle.clear();
         list.chunk_begin.clear();
         list.near_end.clear();
-        for (auto& column : list.all.spring) column.clear();
+        list.all.spring.assign(index_of(history.width), {});
         std::visit(
             [&](const auto& wall) {
                 const auto meet = meeting_of(wall);
@@ -116,7 +109,7 @@ void WallContacts::build(const core::ParticleSet& p, double skin, const core::Co
                     if (meet(x[0], x[1], x[2], 0, 0, 0).depth - p.radius[index_of(i)] >= skin) continue;
                     list.all.particle.push_back(i);
                     const auto kept = history.find(i, core::wall_key(std::int64_t(w)));
-                    for (std::size_t a = 0; a < 3; ++a) list.all.spring[a].push_back(kept[a]);
+                    for (std::size_t a = 0; a < list.all.spring.size(); ++a) list.all.spring[a].push_back(kept[a]);
                 }
             },
             walls_[w]);
@@ -130,6 +123,7 @@ void WallContacts::refresh(const core::ParticleSet& p, double skin, const core::
         auto& list = lists_[w];
         list.near.particle.resize(list.all.particle.size());
         list.place.resize(list.all.particle.size());
+        list.near.spring.resize(list.all.spring.size());
         for (auto& column : list.near.spring) column.resize(list.all.particle.size());
         const int chunks = int(list.chunk_begin.size()) - 1;
         list.near_end.resize(index_of(chunks));
@@ -145,7 +139,7 @@ void WallContacts::refresh(const core::ParticleSet& p, double skin, const core::
                         if (meet(x[0], x[1], x[2], 0, 0, 0).depth - p.radius[index_of(i)] >= skin) continue;
                         list.near.particle[next] = i;
                         list.place[next] = int(k);
-                        for (std::size_t a = 0; a < 3; ++a) list.near.spring[a][next] = list.all.spring[a][k];
+                        for (std::size_t a = 0; a < list.all.spring.size(); ++a) list.near.spring[a][next] = list.all.spring[a][k];
                         ++next;
                     }
                     list.near_end[index_of(c)] = int(next);
@@ -160,7 +154,8 @@ void WallContacts::return_springs()
     for (auto& list : lists_)
         for (std::size_t c = 0; c < list.near_end.size(); ++c)
             for (auto k = index_of(list.chunk_begin[c]); k < index_of(list.near_end[c]); ++k)
-                for (std::size_t a = 0; a < 3; ++a) list.all.spring[a][index_of(list.place[k])] = list.near.spring[a][k];
+                for (std::size_t a = 0; a < list.all.spring.size(); ++a)
+                    list.all.spring[a][index_of(list.place[k])] = list.near.spring[a][k];
 }
 
 void WallContacts::append_row(int i, core::ContactHistory& history) const
@@ -170,8 +165,9 @@ void WallContacts::append_row(int i, core::ContactHistory& history) const
         const auto found = std::lower_bound(list.particle.begin(), list.particle.end(), i);
         if (found == list.particle.end() || *found != i) continue;
         const auto k = std::size_t(found - list.particle.begin());
-        const core::Spring value{list.spring[0][k], list.spring[1][k], list.spring[2][k]};
-        if (value != core::Spring{0.0, 0.0, 0.0}) history.add(core::wall_key(std::int64_t(w)), value);
+        core::Spring value{};
+        for (std::size_t a = 0; a < list.spring.size(); ++a) value[a] = list.spring[a][k];
+        if (value != core::Spring{}) history.add(core::wall_key(std::int64_t(w)), value);
     }
 }
 
@@ -179,19 +175,12 @@ void WallContacts::add_forces(const core::ParticleSet& p, const ContactLaws& law
 {
     for (std::size_t w = 0; w < walls_.size(); ++w) {
         auto& list = lists_[w];
-        const int begin = list.chunk_begin[index_of(chunk)], end = list.near_end[index_of(chunk)];
-        auto& spring = list.near.spring;
-        const WallColumns columns{list.near.particle.data(), spring[0].data(), spring[1].data(), spring[2].data()};
+        const WallColumns columns{list.near.particle.data(), spring_columns(list.near.spring), list.chunk_begin[index_of(chunk)],
+                                  list.near_end[index_of(chunk)]};
         std::visit(
             [&](const auto& wall) {
                 const auto meet = meeting_of(wall);
-                if (laws.size() == 1)
-                    run_contacts(
-                        p, columns, begin, end, meet, [law = laws.front()](std::size_t) -> const LinearContact& { return law; }, sums);
-                else
-                    run_contacts(
-                        p, columns, begin, end, meet, [&](std::size_t i) -> const LinearContact& { return laws[index_of(p.species[i])]; },
-                        sums);
+                with_wall_laws(laws, p, [&](const auto law_of) { run_contacts(p, columns, meet, law_of, sums); });
             },
             walls_[w]);
     }

@@ -43,7 +43,7 @@ public:
 private:
     struct Contacts {
         std::vector<int> particle;
-        std::array<core::Column, 3> spring;
+        std::vector<core::Column> spring;
     };
     /// Contacts of one wall, in order of the particles.
     struct List {

@@ -6,6 +6,7 @@
 #include "core/base/error.hpp"
 #include "core/base/random.hpp"
 #include "physics/particles/advance.hpp"
+#include "physics/particles/restitution.hpp"
 #include "physics/particles/time_step.hpp"
 
 #include <algorithm>

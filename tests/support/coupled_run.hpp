@@ -87,7 +87,7 @@ public:
         sphere.radius = grains().radius[0];
         sphere.density = grains().mass[0] / (4.0 / 3.0 * std::numbers::pi * std::pow(sphere.radius, 3));
         grains().resize_owned(0);
-        world_.grains()->history = core::ContactHistory{};
+        world_.grains()->history.clear();
         for (const Vec3& place : places) {
             sphere.position = place;
             grains().add(sphere);

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/error.hpp"
-#include "physics/particles/contact_law.hpp"
+#include "physics/particles/contact_laws.hpp"
+#include "physics/particles/restitution.hpp"
 #include "physics/particles/time_step.hpp"
 #include "tests/support/relative.hpp"
 #include <doctest/doctest.h>

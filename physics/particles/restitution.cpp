@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
-#include "physics/particles/contact_law.hpp"
+#include "physics/particles/restitution.hpp"
 #include "core/base/error.hpp"
 
+#include <cmath>
 #include <numbers>
 
 namespace physics {
@@ -30,24 +31,6 @@ double damping_of(double restitution)
         (restitution_of(middle) > restitution ? low : high) = middle;
     }
     return 0.5 * (low + high);
-}
-
-LinearContact linear_contact(const ContactParameters& p, double step)
-{
-    using core::require, core::ConfigError, core::text;
-    require<ConfigError>(p.stiffness > 0, text("contact stiffness ", p.stiffness, " N/m is not positive"));
-    require<ConfigError>(p.friction >= 0, text("friction ", p.friction, " is negative"));
-    require<ConfigError>(p.tangential_stiffness >= 0, text("tangential stiffness ", p.tangential_stiffness, " is negative"));
-    LinearContact law;
-    law.stiffness = p.stiffness;
-    law.tangential_stiffness = p.tangential_stiffness * p.stiffness;
-    law.compliance = law.tangential_stiffness > 0 ? 1.0 / law.tangential_stiffness : 0.0;
-    law.damping = 2.0 * damping_of(p.restitution) * std::sqrt(p.stiffness);
-    // the same damping ratio across the normal, where the reduced mass of two spheres is 2/7 of m*
-    law.tangential_damping = law.damping * std::sqrt(2.0 / 7.0 * p.tangential_stiffness);
-    law.friction = p.friction;
-    law.step = step;
-    return law;
 }
 
 } // namespace physics

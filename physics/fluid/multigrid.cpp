@@ -10,11 +10,12 @@
 
 namespace physics {
 Multigrid::Multigrid(const BlockTopology& topology, const MultigridOptions& options, const core::Communicator& communicator)
-    : options_(options), weights_(chebyshev_weights(2.0, options.spectrum_ratio))
+    : options_(options), weights_(chebyshev_weights(2.0, options.spectrum_ratio)), firm_weights_(weights_for_firm_lines())
 {
     BlockTopology level = topology;
     level.links = canonical_links(topology.links, link_source_);
-    levels_.push_back(make_multigrid_level(level, options.shifted));
+    const auto self = core::Communicator::self();
+    levels_.push_back(make_multigrid_level(level, options.shifted, communicator));
     bool split = communicator.size() > 1;
     for (bool last = false; !last;) { // at least two levels: the finest stays with its owners, the coarsest is everywhere
         std::vector<CoarseLink> coarse_link;
@@ -24,10 +25,10 @@ Multigrid::Multigrid(const BlockTopology& topology, const MultigridOptions& opti
         const bool gathers = split && (last || cells <= options.replicated_cells);
         if (gathers) next = replicated(next, communicator, coarse_link);
         levels_.back().mesh.coarse_link = std::move(coarse_link);
-        levels_.push_back(make_multigrid_level(next, options.shifted));
+        split = split && !gathers;
+        levels_.push_back(make_multigrid_level(next, options.shifted, split ? communicator : self));
         if (gathers) levels_.back().owner = topology.owner;
         tie_levels(levels_[levels_.size() - 2], levels_.back());
-        split = split && !gathers;
         level = std::move(next);
     }
     coarsest_ = std::make_unique<CoarsestSolver>(levels_.back().mesh);
@@ -43,12 +44,29 @@ void Multigrid::add_if_shared(std::vector<MultigridStep>& steps, MultigridStep::
     if (!levels_[std::size_t(level)].mesh.exchanges.empty()) steps.push_back({kind, level});
 }
 
+bool Multigrid::lines_meet_ranks(int level) const
+{
+    const MultigridLevel& l = levels_[std::size_t(level)];
+    return l.chains.possible() && l.is_shared;
+}
+
+void Multigrid::add_smoothing(MultigridStep::Kind smooth, MultigridStep::Kind chains, int level)
+{
+    cycle_.push_back({smooth, level});
+    if (lines_meet_ranks(level)) cycle_.push_back({MultigridStep::Kind::send_ends, level});
+    if (levels_[std::size_t(level)].chains.possible()) cycle_.push_back({chains, level});
+}
+
 void Multigrid::list_set_up()
 {
     using K = MultigridStep::Kind;
     const int last = int(levels_.size()) - 1;
     for (int l = 0; l < last; ++l) {
-        set_up_.insert(set_up_.end(), {{K::prepare_level, l}, {K::end_resistances, l}});
+        set_up_.push_back({K::choose_lines, l});
+        if (levels_[std::size_t(l)].is_shared) set_up_.push_back({K::send_choices, l});
+        set_up_.insert(set_up_.end(), {{K::factorise_lines, l}, {K::end_resistances, l}});
+        if (lines_meet_ranks(l)) set_up_.push_back({K::send_ports, l});
+        if (levels_[std::size_t(l)].chains.possible()) set_up_.push_back({K::factorise_chains, l});
         add_if_shared(set_up_, K::send_resistances, l);
         set_up_.push_back({K::coarsen, l});
         if (!levels_[std::size_t(l) + 1].owner.empty()) set_up_.push_back({K::send_coefficients, l + 1});
@@ -62,9 +80,9 @@ void Multigrid::list_cycle()
     using K = MultigridStep::Kind;
     const int last = int(levels_.size()) - 1;
     for (int l = 0; l < last; ++l) {
-        cycle_.push_back({K::smooth_from_zero, l});
+        add_smoothing(K::smooth_from_zero, K::chains_first_from_zero, l);
         add_if_shared(cycle_, K::send_other, l);
-        cycle_.push_back({K::smooth_second, l});
+        add_smoothing(K::smooth_second, K::chains_second, l);
         add_if_shared(cycle_, K::send_solution, l);
         cycle_.insert(cycle_.end(), {{K::residual, l}, {K::gather_children, l}, {K::share_inside, l}});
         add_if_shared(cycle_, K::send_parts, l + 1);
@@ -76,9 +94,9 @@ void Multigrid::list_cycle()
         add_if_shared(cycle_, K::send_solution, l + 1);
         cycle_.push_back({K::prolong_up, l});
         add_if_shared(cycle_, K::send_solution, l);
-        cycle_.push_back({K::smooth_first, l});
+        add_smoothing(K::smooth_first, K::chains_first, l);
         add_if_shared(cycle_, K::send_other, l);
-        cycle_.push_back({K::smooth_second, l});
+        add_smoothing(K::smooth_second, K::chains_second, l);
     }
 }
 
@@ -130,14 +148,19 @@ void Multigrid::run(const core::Team& team, const MultigridStep& step)
     auto& level = levels_[std::size_t(step.level)];
     const auto coarse = [&]() -> MultigridLevel& { return levels_[std::size_t(step.level) + 1]; };
     switch (step.kind) {
-    case K::prepare_level: return prepare_smoother(team, options_.smoother, level);
+    case K::choose_lines: return choose_lines(team, options_.smoother, level);
+    case K::factorise_lines: return factorise_lines(team, level);
+    case K::factorise_chains: return level.chains.factorise(team);
     case K::end_resistances: return link_end_resistances(team, level);
     case K::coarsen: coarsen_coefficients(team, level, coarse()); return coarsen_links(level, coarse());
     case K::finish_links: return finish_links(level);
     case K::factorise: return coarsest_->factorise(level, options_.singular);
-    case K::smooth_from_zero: return smooth_from_zero(team, weights_, level);
-    case K::smooth_first: return smooth_first(team, weights_, level);
-    case K::smooth_second: return smooth_second(team, weights_, level);
+    case K::smooth_from_zero: return smooth_from_zero(team, weights(level), level);
+    case K::smooth_first: return smooth_first(team, weights(level), level);
+    case K::smooth_second: return smooth_second(team, weights(level), level);
+    case K::chains_first_from_zero: return finish_from_zero(team, weights(level), level);
+    case K::chains_first: return finish_first(team, weights(level), level);
+    case K::chains_second: return finish_second(team, weights(level), level);
     case K::residual: return compute_residual(team, level);
     case K::gather_children: return gather_children(team, level, coarse());
     case K::share_inside: return share_inside(team, coarse());
@@ -158,6 +181,9 @@ void Multigrid::start(const MultigridStep& step, const core::Communicator& commu
     case K::send_solution: return messages_.start_ghosts(level.mesh, std::span(level.solution), communicator, pending);
     case K::send_other: return messages_.start_ghosts(level.mesh, std::span(level.other), communicator, pending);
     case K::send_parts: return messages_.start_parts(level, communicator, pending);
+    case K::send_choices: return messages_.start_choices(level, communicator, pending);
+    case K::send_ports: return messages_.start_lines(level, LevelMessages::OfLines::ports, communicator, pending);
+    case K::send_ends: return messages_.start_lines(level, LevelMessages::OfLines::ends, communicator, pending);
     case K::send_right: return messages_.start_blocks(level, LevelMessages::Content::right, communicator, pending);
     default: throw core::Error("multigrid: a step that sends nothing was started");
     }
@@ -169,6 +195,9 @@ void Multigrid::complete(const MultigridStep& step, const core::Communicator& co
     auto& level = levels_[std::size_t(step.level)];
     if (step.kind == K::send_resistances) messages_.complete_resistances(level);
     if (step.kind == K::send_parts) messages_.complete_parts(level);
+    if (step.kind == K::send_choices) messages_.complete_choices(level);
+    if (step.kind == K::send_ports) messages_.complete_lines(level, LevelMessages::OfLines::ports);
+    if (step.kind == K::send_ends) messages_.complete_lines(level, LevelMessages::OfLines::ends);
     if (step.kind == K::send_coefficients) messages_.complete_blocks(level, LevelMessages::Content::coefficients, communicator);
     if (step.kind == K::send_right) messages_.complete_blocks(level, LevelMessages::Content::right, communicator);
 }

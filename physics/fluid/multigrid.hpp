@@ -25,33 +25,38 @@ struct MultigridOptions {
 /// Part of the set-up or of a cycle. A step that sends is started, and completed when its messages have arrived.
 struct MultigridStep {
     enum class Kind {
-        prepare_level,
+        choose_lines,
+        factorise_lines,
+        factorise_chains,
         end_resistances,
         coarsen,
         finish_links,
         factorise, // set-up
         send_resistances,
-        send_coefficients, // set-up, messages
+        send_coefficients,
+        send_choices,
+        send_ports, // set-up, messages
         smooth_from_zero,
+        chains_first_from_zero,
         smooth_second,
+        chains_second,
         residual,
         gather_children,
         share_inside,
         share_over_links, // cycle, down
         coarsest,
         prolong_up,
-        smooth_first, // cycle, up
+        smooth_first,
+        chains_first, // cycle, up
         send_solution,
         send_other,
         send_parts,
-        send_right // cycle, messages
+        send_right,
+        send_ends // cycle, messages
     };
     Kind kind;
     int level;
-    [[nodiscard]] bool sends() const
-    {
-        return kind == Kind::send_resistances || kind == Kind::send_coefficients || kind >= Kind::send_solution;
-    }
+    [[nodiscard]] bool sends() const { return (kind >= Kind::send_resistances && kind <= Kind::send_ports) || kind >= Kind::send_solution; }
 };
 
 class Multigrid {
@@ -89,12 +94,20 @@ public:
     [[nodiscard]] std::size_t bytes() const;
 
 private:
+    [[nodiscard]] const ChebyshevWeights& weights(const MultigridLevel& level) const
+    {
+        return level.lines_are_firm ? firm_weights_ : weights_;
+    }
     void list_set_up();
     void list_cycle();
+    /// Do lines of a level go on, or could they, in blocks of other ranks?
+    [[nodiscard]] bool lines_meet_ranks(int level) const;
+    /// A part of the smoothing, and what chains of lines add to it.
+    void add_smoothing(MultigridStep::Kind smooth, MultigridStep::Kind chains, int level);
     void add_if_shared(std::vector<MultigridStep>& steps, MultigridStep::Kind kind, int level) const;
 
     MultigridOptions options_;
-    ChebyshevWeights weights_;
+    ChebyshevWeights weights_, firm_weights_;
     std::vector<int> link_source_;
     std::vector<MultigridLevel> levels_;
     std::unique_ptr<CoarsestSolver> coarsest_;

@@ -38,7 +38,7 @@ void make_transfer(MultigridLevel& level)
 
 } // namespace
 
-MultigridLevel make_multigrid_level(const BlockTopology& topology, bool with_shift)
+MultigridLevel make_multigrid_level(const BlockTopology& topology, bool with_shift, const core::Communicator& ranks)
 {
     MultigridLevel level(make_level_mesh(topology));
     level.matrix = make_seven_point<float>(level.mesh, with_shift);
@@ -46,6 +46,9 @@ MultigridLevel make_multigrid_level(const BlockTopology& topology, bool with_shi
     for (auto* v : {&level.inverse, &level.right, &level.residual, &level.direction, &level.solution, &level.other})
         v->assign(level.mesh.layout.size(), 0.0F);
     level.end_resistance.assign(level.mesh.links.size(), {0.0F, 0.0F});
+    level.is_shared = ranks.size() > 1;
+    level.chains = LineChains(side_patches(topology, ranks), topology);
+    level.choices.resize(topology.cells.size());
     return level;
 }
 

@@ -151,4 +151,62 @@ void LevelMessages::complete_blocks(MultigridLevel& level, Content content, cons
     }
 }
 
+void LevelMessages::start_choices(MultigridLevel& level, const core::Communicator& communicator, core::Pending& pending)
+{
+    choices_.assign(4 * level.choices.size(), -1.0); // less than anything that an owner says
+    for (const auto id : level.mesh.layout.ids()) {
+        const LineChoice& c = level.choices[std::size_t(id)];
+        double* numbers = choices_.data() + 4 * id;
+        numbers[0] = static_cast<int>(c.axis);
+        numbers[1] = c.anisotropy;
+        std::copy(c.hold.begin(), c.hold.end(), numbers + 2);
+    }
+    communicator.start_max(choices_, pending);
+}
+
+void LevelMessages::complete_choices(MultigridLevel& level) const
+{
+    for (std::size_t b = 0; b < level.choices.size(); ++b)
+        level.choices[b] = {static_cast<LineAxis>(int(choices_[4 * b])), choices_[4 * b + 1], {choices_[4 * b + 2], choices_[4 * b + 3]}};
+}
+
+namespace {
+
+std::span<float> numbers_of_lines(MultigridLevel& level, LevelMessages::OfLines content, core::BlockId b)
+{
+    return content == LevelMessages::OfLines::ports ? level.chains.port_values(b) : level.chains.ends(b);
+}
+
+} // namespace
+
+void LevelMessages::start_lines(MultigridLevel& level, OfLines content, const core::Communicator& communicator, core::Pending& pending)
+{
+    const auto partners = level.chains.partners();
+    prepare(partners.size());
+    for (std::size_t n = 0; n < partners.size(); ++n) {
+        std::size_t size = 0;
+        for (const auto b : partners[n].theirs) size += numbers_of_lines(level, content, b).size();
+        receive_[n].resize(size);
+        communicator.receive(std::as_writable_bytes(std::span(receive_[n])), partners[n].rank, tag, pending);
+        send_[n].clear();
+        for (const auto b : partners[n].mine) {
+            const auto bytes = std::as_bytes(numbers_of_lines(level, content, b));
+            send_[n].insert(send_[n].end(), bytes.begin(), bytes.end());
+        }
+        communicator.send(send_[n], partners[n].rank, tag, pending);
+    }
+}
+
+void LevelMessages::complete_lines(MultigridLevel& level, OfLines content) const
+{
+    for (std::size_t n = 0; n < level.chains.partners().size(); ++n) {
+        const float* in = receive_[n].data();
+        for (const auto b : level.chains.partners()[n].theirs) {
+            const auto to = numbers_of_lines(level, content, b);
+            std::copy_n(in, to.size(), to.begin());
+            in += to.size();
+        }
+    }
+}
+
 } // namespace physics

@@ -51,6 +51,14 @@ public:
     void start_blocks(MultigridLevel& level, Content content, const core::Communicator& communicator, core::Pending& pending);
     void complete_blocks(MultigridLevel& level, Content content, const core::Communicator& communicator) const;
 
+    /// Which lines the blocks of each rank solve, to all others.
+    void start_choices(MultigridLevel& level, const core::Communicator& communicator, core::Pending& pending);
+    void complete_choices(MultigridLevel& level) const;
+    /// Numbers of the lines of blocks, to ranks that have parts of the same chains.
+    enum class OfLines { ports, ends };
+    void start_lines(MultigridLevel& level, OfLines content, const core::Communicator& communicator, core::Pending& pending);
+    void complete_lines(MultigridLevel& level, OfLines content) const;
+
 private:
     static constexpr int tag = 7;
     void prepare(std::size_t messages);
@@ -59,6 +67,7 @@ private:
 
     std::vector<std::vector<std::byte>> send_;
     std::vector<std::vector<float>> receive_;
+    std::vector<double> choices_; ///< four numbers for each block of all ranks
 };
 
 } // namespace physics

@@ -47,6 +47,23 @@ TEST_CASE("a channel with aspect ratio 1000 takes at most 20 iterations")
     for (int n : {16, 32, 64}) CHECK(iterations("channel", test::box_problem(channel(n, 1000.0))) <= 20);
 }
 
+TEST_CASE("a channel takes no more iterations where the lines between its walls are cut")
+{
+    auto grid = channel(32, 1000.0);
+    for (const int cut : {1, 2, 4, 8}) {
+        grid.blocks = {1, cut, 1};
+        CHECK(iterations("channel cut", test::box_problem(grid)) <= 20);
+    }
+    const test::BoxGrid flat{{test::uniform(32, 2000.0), test::uniform(16, 1.0), test::uniform(32, 2000.0)}};
+    for (const bool closed : {false, true})
+        for (const int cut : {1, 2, 4, 8, 16}) {
+            auto g = flat;
+            g.blocks = {1, cut, 2};
+            g.periodic = {false, closed, true};
+            CHECK(iterations(closed ? "flat cells, closed, cut" : "flat cells, cut", test::box_problem(g)) <= 20);
+        }
+}
+
 TEST_CASE("blocks and periodic sides cost few iterations")
 {
     auto grid = cube(48);

@@ -76,6 +76,15 @@ TEST_CASE("a box of 12 blocks has the same solution on any number of ranks, bit 
     check_same_bits(p, {.coarsest_cells = 30, .replicated_cells = 200, .smoother = physics::Smoother::line});
 }
 
+TEST_CASE("lines that go on from rank to rank are solved with the same bits as on one rank")
+{
+    for (const bool closed : {false, true}) {
+        test::BoxGrid grid{{test::uniform(16, 100.0), test::uniform(21, 1.0), test::uniform(12, 80.0)}, {2, 3, 1}, {false, closed, false}};
+        check_same_bits(test::box_problem(grid), {.coarsest_cells = 30, .replicated_cells = 0});
+        check_same_bits(test::box_problem(grid), {.coarsest_cells = 30, .replicated_cells = 700});
+    }
+}
+
 TEST_CASE("blocks tied at random have the same solution on any number of ranks, bit by bit")
 {
     for (unsigned seed = 1; seed <= 4; ++seed) {

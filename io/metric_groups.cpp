@@ -187,6 +187,20 @@ MetricGroup particle_metrics(World& world)
             }};
 }
 
+MetricGroup traffic_metrics(World& world)
+{
+    std::vector<std::string> names;
+    for (const std::string& name : world.traffic()->inflow_names()) names.push_back("entered_" + name);
+    for (const std::string& name : world.traffic()->outlet_names())
+        for (const char* what : {"taken_away_", "mass_taken_away_"}) names.push_back(what + name);
+    return {names, [&world] {
+                std::vector<double> values;
+                for (const physics::Entered& entered : world.traffic()->entered()) values.push_back(double(entered.count));
+                for (const TakenAway& taken : world.traffic()->taken_away()) values.insert(values.end(), {double(taken.count), taken.mass});
+                return values;
+            }};
+}
+
 MetricGroup height_metrics(World& world)
 {
     std::vector<std::string> names;

@@ -20,6 +20,8 @@ namespace io {
 [[nodiscard]] MetricGroup drive_metrics(World& world);
 /// Their number and kinetic energy, spin included [J].
 [[nodiscard]] MetricGroup particle_metrics(World& world);
+/// Of each species that comes in the number so far; of each outlet the number and the mass that it has taken away [kg].
+[[nodiscard]] MetricGroup traffic_metrics(World& world);
 /// Against gravity: mean and its standard error for each species, lowest and highest centre [m].
 [[nodiscard]] MetricGroup height_metrics(World& world);
 /// Volume of the solid in the cells [m3], its relative defect against the particles, largest solid fraction.

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #include "io/scene.hpp"
+#include "io/placement_room.hpp"
 
 namespace io {
 
@@ -8,6 +9,11 @@ void Scene::resolve()
 {
     if (grid.pipe && !grid.pipe->cells && !grid.pipe->size) grid.pipe->size = PipeSize::medium;
     if (fluid && !particles.empty() && !coupling) coupling.emplace();
+    for (Species& species : particles)
+        if (species.volume_fraction) {
+            species.count = filling_count(*this, species);
+            species.volume_fraction.reset();
+        }
 }
 
 } // namespace io

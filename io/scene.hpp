@@ -49,6 +49,7 @@ struct Scene {
     std::optional<Fluid> fluid;
     std::optional<Gravity> gravity;
     std::vector<Species> particles;
+    std::vector<Outlet> outlets;
     std::optional<Contact> contact;
     std::optional<Coupling> coupling; ///< Present when there are both fluid and particles.
     Run run;

@@ -48,6 +48,7 @@ void describe(Schema& s, Scene& p)
     s.group("fluid", p.fluid, "The fluid; without it, the particles are dry");
     s.group("gravity", p.gravity, "Weight; without it, there is none");
     s.list("particles", p.particles, "Species of spheres; without them, the fluid is alone");
+    s.list("outlets", p.outlets, "Regions in which particles are taken away");
     s.group("contact", p.contact, "How particles collide; needed when there are particles");
     s.group("coupling", p.coupling, "How fluid and particles act on each other");
     s.required_group("run", p.run, "How long the run is, and its steps");

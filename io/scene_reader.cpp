@@ -40,8 +40,9 @@ Scene read_scene_tree(Node& root, Mark start, const std::vector<std::string>& ov
     const auto folder = std::filesystem::path(start.source->name).parent_path();
     check_grid(scene.grid, folder, locations, problems);
     if (scene.fluid) read_fluid_files(*scene.fluid, folder, locations, problems);
+    read_particle_files(scene, folder, locations, problems);
     check_scene(scene, locations, problems);
-    scene.resolve();
+    if (problems.empty()) scene.resolve();
     return scene;
 }
 

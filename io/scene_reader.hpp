@@ -45,6 +45,9 @@ void check_grid(Grid& grid, const std::filesystem::path& folder, Locations& loca
 /// Reads the tables in files that a fluid refers to, and makes other paths absolute.
 void read_fluid_files(Fluid& fluid, const std::filesystem::path& folder, Locations& locations, Problems& problems);
 
+/// Makes the files of species absolute paths, and reads tables once, for their mistakes.
+void read_particle_files(Scene& scene, const std::filesystem::path& folder, Locations& locations, Problems& problems);
+
 /// Finds mistakes that only several keys together show; says nothing about values that could not be read.
 void check_boundaries(const Scene& scene, const Locations& locations, Problems& problems);
 void check_particles(const Scene& scene, const Locations& locations, Problems& problems);

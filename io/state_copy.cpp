@@ -29,6 +29,7 @@ void StateCopy::take(World& world)
     if (const auto* grains = world.grains()) {
         particles_ = grains->particles;
         history_ = grains->history;
+        traffic_ = world.traffic()->state();
     }
 }
 
@@ -40,6 +41,7 @@ void StateCopy::put_back(World& world) const
     if (auto* grains = world.grains()) {
         grains->particles = particles_;
         grains->history = history_;
+        world.traffic()->restore(traffic_);
     }
 }
 

@@ -23,6 +23,7 @@ void for_each_scalar(World& world, Visit visit)
     visit("steps since jump", clock.steps_since_jump);
     visit("drive sign", clock.drive.sign);
     visit("drive switched at", clock.drive.switched_at);
+    if (world.traffic()) world.traffic()->for_each_number(visit);
     if (!world.fluid() || !world.fluid()->flow_control()) return;
     visit("drive expected", clock.drive.expected);
     visit("drive correction", clock.drive.correction);
@@ -166,7 +167,7 @@ std::string save_state(World& world, const std::string& directory, int keep)
 {
     CheckpointWriter writer(directory, world.clock().step, world.ranks());
     for_each_carried_field(world, [&](auto& field) { writer.field(views(std::as_const(field)), blocks_of(world.mesh())); });
-    for_each_scalar(world, [&](const char* name, auto& value) { writer.scalar(name, double(value)); });
+    for_each_scalar(world, [&](const std::string& name, auto& value) { writer.scalar(name, double(value)); });
     if (world.grains()) {
         writer.scalar("settled_sub_steps", world.settled());
         save_particles(world, writer);
@@ -183,8 +184,8 @@ void load_state(const CheckpointReader& checkpoint, World& world)
         checkpoint.note("scene") == world.scene().name,
         core::text("the checkpoint is of the scene '", checkpoint.note("scene"), "', not of '", world.scene().name, "'"));
     for_each_carried_field(world, [&](auto& field) { checkpoint.field(views(field), blocks_of(world.mesh())); });
-    for_each_scalar(world,
-                    [&](const char* name, auto& value) { value = std::remove_reference_t<decltype(value)>(checkpoint.scalar(name)); });
+    for_each_scalar(
+        world, [&](const std::string& name, auto& value) { value = std::remove_reference_t<decltype(value)>(checkpoint.scalar(name)); });
     if (!world.grains()) return;
     world.settled() = checkpoint.scalar("settled_sub_steps");
     load_particles(checkpoint, world);

@@ -153,7 +153,7 @@ private:
         }
         probes.finish();
         int particles = 0;
-        for (const Species& s : scene.particles) particles += s.count;
+        for (const Species& s : scene.particles) particles += s.count.value_or(0);
         const int kept = run.world().grains() ? run.world().grains()->particles.owned : 0;
         add("particles", std::to_string(kept), std::to_string(particles), kept == particles);
         for (std::size_t m = 0; m < measures.size(); ++m)

@@ -82,7 +82,7 @@ StudyRun run_once(const Study& study, const StudyCase& one, const core::Communic
     }
     run.steps = long(world.clock().step);
     run.cells = world.mesh().total_cells();
-    for (const Species& s : one.scene.particles) run.particles += s.count;
+    for (const Species& s : one.scene.particles) run.particles += s.count.value_or(0);
     run.h = cell_size(world);
     run.dt = world.time() / double(run.steps);
     run.iterations /= double(run.steps);

@@ -2,25 +2,39 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/table_file.hpp"
 #include "core/base/error.hpp"
-#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <fmt/format.h>
 #include <fstream>
-#include <sstream>
 
 namespace io {
+
 namespace {
 
-/// The words of a line, whatever separates them.
-std::vector<std::string> words_of(std::string line)
+constexpr const char* separators = ",; \t\r";
+
+std::vector<Word> words_of(const std::string& line)
 {
-    for (char& c : line)
-        if (c == ',' || c == ';' || c == '\t' || c == '\r') c = ' ';
-    std::istringstream stream(line);
-    std::vector<std::string> words;
-    for (std::string word; stream >> word;) words.push_back(word);
+    std::vector<Word> words;
+    for (std::size_t begin = line.find_first_not_of(separators); begin != std::string::npos;) {
+        const std::size_t end = std::min(line.find_first_of(separators, begin), line.size());
+        words.push_back({line.substr(begin, end - begin), int(begin) + 1});
+        begin = line.find_first_not_of(separators, end);
+    }
     return words;
+}
+
+} // namespace
+
+void for_each_line(const std::filesystem::path& file, const std::function<void(int, const std::string&, std::vector<Word>)>& visit)
+{
+    std::ifstream stream(file);
+    core::require<core::ConfigError>(stream.good(), fmt::format("{} cannot be read", file.string()));
+    std::string line;
+    for (int number = 1; std::getline(stream, line); ++number) {
+        std::vector<Word> words = words_of(line);
+        if (!words.empty() && !words.front().text.starts_with('#')) visit(number, line, std::move(words));
+    }
 }
 
 bool is_number(const std::string& word, double& value)
@@ -30,26 +44,18 @@ bool is_number(const std::string& word, double& value)
     return error == std::errc() && end == word.data() + word.size() && std::isfinite(value);
 }
 
-} // namespace
-
 std::vector<std::vector<double>> read_table_file(const std::filesystem::path& file, std::size_t columns)
 {
-    std::ifstream stream(file);
-    core::require<core::ConfigError>(stream.good(), fmt::format("{} cannot be read", file.string()));
     std::vector<std::vector<double>> rows;
-    std::string line;
-    for (int number = 1; std::getline(stream, line); ++number) {
-        const std::vector<std::string> words = words_of(line);
-        if (words.empty() || words.front().starts_with('#')) continue;
+    for_each_line(file, [&](int number, const std::string& line, const std::vector<Word>& words) {
         std::vector<double> row(words.size());
-        const auto read = [&](std::size_t n) { return is_number(words[n], row[n]); };
         bool good = words.size() == columns;
-        for (std::size_t n = 0; n < words.size(); ++n) good = read(n) && good;
+        for (std::size_t n = 0; n < words.size(); ++n) good = is_number(words[n].text, row[n]) && good;
         double unused = 0;
-        if (!good && rows.empty() && number == 1 && !is_number(words.front(), unused)) continue; // names of the columns
+        if (!good && rows.empty() && number == 1 && !is_number(words.front().text, unused)) return; // names of the columns
         core::require<core::ConfigError>(good, fmt::format("{}:{}: {} numbers are needed, not '{}'", file.string(), number, columns, line));
         rows.push_back(std::move(row));
-    }
+    });
     core::require<core::ConfigError>(!rows.empty(), fmt::format("{} has no numbers", file.string()));
     return rows;
 }

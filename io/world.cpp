@@ -4,6 +4,7 @@
 #include "core/base/error.hpp"
 #include "io/finite_check.hpp"
 #include "io/grid_builder.hpp"
+#include "io/initial_grains.hpp"
 #include "io/physics_builder.hpp"
 #include "io/world_grains.hpp"
 #include "physics/particles/advance.hpp"
@@ -37,7 +38,6 @@ World::World(const Scene& scene, const core::Communicator& ranks) : World(scene,
 
 World::World(const Scene& scene, core::MultiBlock blocks, const core::Communicator& ranks)
     : scene_(scene),
-      census_(census_of(scene)),
       ranks_(ranks),
       mesh_(std::move(blocks), ranks.rank(), ranks.size()),
       locator_(mesh_),
@@ -57,10 +57,16 @@ World::World(const Scene& scene, core::MultiBlock blocks, const core::Communicat
 
 void World::make_grains()
 {
+    const core::Domain domain = make_domain(scene_.grid);
+    const std::vector<core::Sphere> grains = initial_grains(scene_, domain, ranks_);
+    census_ = census_of(scene_);
+    for (const core::Sphere& grain : grains)
+        if (!scene_.particles[std::size_t(grain.species)].file.empty()) census_.add(grain);
+    traffic_.emplace(scene_, domain, std::int64_t(grains.size()));
     grains_.emplace(make_dynamics(scene_, census_, mesh_));
     contact_step_ = grains_->step();
     const physics::OwnerOf owner_of = [this](const core::Vec3& x) { return this->owner_of(x); };
-    add_initial_particles(scene_, owner_of, ranks_.rank(), *grains_);
+    add_grains(grains, owner_of, ranks_.rank(), *grains_);
     stepper_.emplace(*grains_, owner_of, ranks_.rank(), ranks_.size());
 }
 
@@ -196,8 +202,18 @@ void World::try_step(tasks::Executor& executor)
     (mode == planned_mode_ ? executor : executor_of(mode)).run_step(now.step);
     now.advance();
     require_finite(*this);
+    if (grains_) pass_grains();
     if (coupling_) ++steps_of_mode_[mode];
     if (fluid_ && axis_ && physics::turn_if_due(fluid_->parameters().drive, axis_speed(), now.time, now.drive)) now.steps_since_jump = 0;
+}
+
+/// What the account says must be here; then others may come and go.
+void World::pass_grains()
+{
+    traffic_->check(grains_->particles, before_.particles(), ranks_);
+    if (traffic_->is_open())
+        traffic_->pass(
+            clock().time, [this](const core::Vec3& x) { return owner_of(x); }, *grains_, ranks_);
 }
 
 double World::axis_speed() const

@@ -4,6 +4,7 @@
 // A scene come to life on this rank: mesh, fluid, grains, their coupling, and the graph of the stages that make a step.
 // What the scene does not name is not there.
 #include "io/grain_census.hpp"
+#include "io/grain_traffic.hpp"
 #include "io/state_copy.hpp"
 #include "physics/fluid/time_step.hpp"
 #include "physics/steps/coupled_step.hpp"
@@ -38,6 +39,10 @@ public:
     [[nodiscard]] const physics::ParticleDynamics* grains() const { return grains_ ? &*grains_ : nullptr; }
     [[nodiscard]] physics::CoupledStep* coupling() { return coupling_ ? &*coupling_ : nullptr; }
     [[nodiscard]] const physics::CoupledStep* coupling() const { return coupling_ ? &*coupling_ : nullptr; }
+
+    /// The account of grains that came in and were taken away; none without grains.
+    [[nodiscard]] GrainTraffic* traffic() { return traffic_ ? &*traffic_ : nullptr; }
+    [[nodiscard]] const GrainTraffic* traffic() const { return traffic_ ? &*traffic_ : nullptr; }
 
     [[nodiscard]] double time() const { return clock().time; }
     [[nodiscard]] const physics::FluidClock& clock() const { return fluid_ ? fluid_->state().clock : dry_clock_; }
@@ -101,6 +106,7 @@ private:
     OtherMode& add_mode(physics::Mode mode);
     [[nodiscard]] tasks::Executor& executor_of(physics::Mode mode);
     void try_step(tasks::Executor& executor);
+    void pass_grains();
     void put_back();
     void initialise();
     [[nodiscard]] physics::TransportRates transport_rates(const core::Vec3& pull) const;
@@ -122,6 +128,7 @@ private:
     std::optional<physics::ScalarStep> scalars_;
     std::optional<physics::ParticleDynamics> grains_;
     std::optional<physics::ParticleStepper> stepper_;
+    std::optional<GrainTraffic> traffic_;
     std::optional<physics::CoupledStep> coupling_;
     std::optional<tasks::Part<physics::ParticleDynamics>> dry_grains_;
     std::optional<tasks::Plan> plan_;

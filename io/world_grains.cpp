@@ -6,7 +6,6 @@
 #include "io/grid_builder.hpp"
 #include "io/physics_builder.hpp"
 #include "physics/coupling/bed_stiffness.hpp"
-#include "physics/particles/insertion.hpp"
 #include "physics/particles/time_step.hpp"
 #include <algorithm>
 #include <numbers>
@@ -24,31 +23,6 @@ double sub_step(const Scene& scene, double lightest, const physics::ParticlePara
     one.add(sphere);
     const physics::StepLimits limits = physics::step_limits(one, parameters);
     return physics::choose_step(limits, limits.contact_time / scene.contact->steps_per_contact);
-}
-
-physics::Region region_of(const Initial& initial, const core::Domain& domain)
-{
-    const core::Vec3 low = initial.low ? core::Vec3(*initial.low - domain.origin) : core::Vec3(core::Vec3::Zero());
-    const core::Vec3 high = initial.high ? core::Vec3(*initial.high - domain.origin) : domain.size;
-    return {low, high};
-}
-
-std::vector<physics::Group> groups_of(const Scene& scene, const core::Domain& domain)
-{
-    std::vector<physics::Group> groups;
-    for (const Species& s : scene.particles) {
-        physics::Group group;
-        if (s.sizes)
-            for (const double d : diameters_of(s)) group.radii.push_back(d / 2);
-        else group.like.radius = *s.diameter / 2;
-        group.like.density = s.density;
-        group.like.velocity = s.initial.velocity;
-        group.like.species = std::int32_t(groups.size());
-        group.count = s.count;
-        group.region = region_of(s.initial, domain);
-        groups.push_back(group);
-    }
-    return groups;
 }
 
 /// The boundary of the mesh, continued through its periods by more than any particle reaches.
@@ -72,19 +46,6 @@ physics::MagnusLaw magnus_law(MagnusLaw chosen)
 
 bool wanted(Switch choice, bool otherwise) { return choice == Switch::automatic ? otherwise : choice == Switch::on; }
 
-std::vector<core::Sphere> placed(const Scene& scene, const core::Domain& domain)
-{
-    const Initial& initial = scene.particles.front().initial;
-    const auto groups = groups_of(scene, domain);
-    const auto seed = std::uint64_t(scene.run.random_seed);
-    switch (initial.arrangement) {
-    case Arrangement::random: return physics::place_at_random(domain, primitive_walls(scene.grid), groups, seed);
-    case Arrangement::lattice: return physics::place_on_lattice(domain, primitive_walls(scene.grid), groups, seed);
-    case Arrangement::packed: return physics::place_packed(domain, groups, initial.spacing, seed);
-    }
-    return {};
-}
-
 } // namespace
 
 physics::ParticleDynamics make_dynamics(const Scene& scene, const GrainCensus& census, const core::Mesh& mesh)
@@ -98,10 +59,9 @@ physics::ParticleDynamics make_dynamics(const Scene& scene, const GrainCensus& c
     return dynamics;
 }
 
-void add_initial_particles(const Scene& scene, const physics::OwnerOf& owner_of, int rank, physics::ParticleDynamics& dynamics)
+void add_grains(const std::vector<core::Sphere>& grains, const physics::OwnerOf& owner_of, int rank, physics::ParticleDynamics& dynamics)
 {
-    const auto spheres = placed(scene, dynamics.domain());
-    for (const core::Sphere& sphere : spheres)
+    for (const core::Sphere& sphere : grains)
         if (owner_of(sphere.position) == rank) {
             dynamics.particles.add(sphere);
             dynamics.history.end_row();

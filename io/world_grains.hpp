@@ -12,8 +12,8 @@ namespace io {
 /// The dynamics without particles, with the sub-step that the contacts allow.
 [[nodiscard]] physics::ParticleDynamics make_dynamics(const Scene& scene, const GrainCensus& census, const core::Mesh& mesh);
 
-/// Places all particles and keeps those of this rank.
-void add_initial_particles(const Scene& scene, const physics::OwnerOf& owner_of, int rank, physics::ParticleDynamics& dynamics);
+/// Adds those that lie where this rank owns. @pre no lists
+void add_grains(const std::vector<core::Sphere>& grains, const physics::OwnerOf& owner_of, int rank, physics::ParticleDynamics& dynamics);
 
 /// Gravity less buoyancy of the mean particle density: the weight under which a bed settles before the fluid is there [m/s2].
 [[nodiscard]] core::Vec3 settling_gravity(const Scene& scene, const GrainCensus& census);

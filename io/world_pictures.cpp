@@ -36,10 +36,13 @@ std::vector<LegendEntry> legend_of(const Scene& scene)
     std::vector<LegendEntry> legend;
     for (std::size_t n = 0; n < scene.particles.size(); ++n) {
         const Species& species = scene.particles[n];
-        const auto [smallest, largest] = size_range(species);
-        std::string text = fmt::format("{}: {} x {:.3g}", species.name, species.count, 1e3 * smallest);
-        if (largest > smallest) text += fmt::format("-{:.3g}", 1e3 * largest);
-        legend.push_back({species_colour(int(n)), text + " mm"});
+        std::string text = species.name;
+        if (has_sizes(species)) {
+            const auto [smallest, largest] = size_range(species);
+            text += fmt::format(": {}{:.3g}", species.inflow ? "" : fmt::format("{} x ", *species.count), 1e3 * smallest);
+            text += largest > smallest ? fmt::format("-{:.3g} mm", 1e3 * largest) : " mm";
+        }
+        legend.push_back({species_colour(int(n)), text});
     }
     return legend;
 }

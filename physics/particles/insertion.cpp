@@ -4,6 +4,7 @@
 #include "core/base/error.hpp"
 #include "core/base/random.hpp"
 #include "core/grid/extents.hpp"
+#include "physics/particles/overlap_relaxation.hpp"
 
 #include <algorithm>
 #include <map>
@@ -16,14 +17,6 @@ namespace {
 constexpr int most_trials = 20000;
 constexpr std::uint64_t order_draw = std::uint64_t(1) << 40; // a draw that no trial uses
 constexpr std::uint64_t size_draw = order_draw + 2;          // and one for each group after it
-
-double distance(const PlaneWall& wall, const core::Vec3& x) { return (x - wall.point).dot(wall.normal.normalized()); }
-
-double distance(const CylinderWall& wall, const core::Vec3& x)
-{
-    const core::Vec3 axis = wall.axis.normalized(), from = x - wall.point;
-    return wall.radius - (from - from.dot(axis) * axis).norm();
-}
 
 /// The spheres placed so far in bins of one largest diameter, so that only near ones are compared.
 class Placed {
@@ -111,11 +104,6 @@ double largest_radius(const std::vector<std::pair<core::Sphere, Region>>& all)
     return largest;
 }
 
-bool inside(const Region& region, const core::Vec3& x)
-{
-    return (x.array() >= region.low.array()).all() && (x.array() <= region.high.array()).all();
-}
-
 void require_all_placed(std::size_t placed, std::size_t wanted)
 {
     core::require<core::ConfigError>(placed == wanted, core::text("a lattice has room for ", placed, " of ", wanted,
@@ -145,13 +133,6 @@ Layers layers_of(const core::Domain& domain, int axis, double diameter, double s
 
 } // namespace
 
-double clearance(const std::vector<Wall>& walls, const core::Vec3& centre, double radius)
-{
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const Wall& wall : walls) nearest = std::min(nearest, std::visit([&](const auto& w) { return distance(w, centre); }, wall));
-    return nearest - radius;
-}
-
 std::vector<core::Sphere> place_at_random(const core::Domain& domain, const std::vector<Wall>& walls, const std::vector<Group>& groups,
                                           std::uint64_t seed)
 {
@@ -165,7 +146,7 @@ std::vector<core::Sphere> place_at_random(const core::Domain& domain, const std:
         bool found = false;
         for (int trial = 0; trial < most_trials && !found; ++trial) {
             const auto u = core::random_uniform(seed, sphere.id, std::uint64_t(trial));
-            sphere.position = region.low + core::Vec3(u[0], u[1], u[2]).cwiseProduct(region.high - region.low);
+            sphere.position = point_in(region, core::Vec3(u[0], u[1], u[2]));
             found = clearance(walls, sphere.position, sphere.radius) >= 0.0 && placed.free(sphere.position, sphere.radius);
         }
         core::require<core::ConfigError>(found, core::text("no room for particle ", sphere.id, " of ", all.size(), " (diameter ",
@@ -175,6 +156,27 @@ std::vector<core::Sphere> place_at_random(const core::Domain& domain, const std:
     }
     std::vector<core::Sphere> spheres;
     for (const auto& [sphere, region] : all) spheres.push_back(sphere);
+    return spheres;
+}
+
+std::vector<core::Sphere> place_densely(const core::Domain& domain, const std::vector<Wall>& walls, const std::vector<Group>& groups,
+                                        std::uint64_t seed)
+{
+    std::vector<core::Sphere> spheres;
+    std::vector<Region> regions;
+    for (auto& [sphere, region] : wanted(groups, seed)) {
+        bool found = false;
+        for (int trial = 0; trial < most_trials && !found; ++trial) {
+            const auto u = core::random_uniform(seed, sphere.id, std::uint64_t(trial));
+            sphere.position = point_in(region, core::Vec3(u[0], u[1], u[2]));
+            found = clearance(walls, sphere.position, sphere.radius) >= 0.0;
+        }
+        core::require<core::ConfigError>(found, core::text("no place in its region is clear of the walls for particle ", sphere.id,
+                                                           " (diameter ", 2.0 * sphere.radius, " m)"));
+        spheres.push_back(sphere);
+        regions.push_back(region);
+    }
+    relax_overlaps(domain, walls, regions, spheres);
     return spheres;
 }
 
@@ -193,7 +195,7 @@ std::vector<core::Sphere> place_on_lattice(const core::Domain& domain, const std
         core::Vec3 x((i + 0.5) * domain.size.x() / count.i, (j + 0.5) * domain.size.y() / count.j, (k + 0.5) * domain.size.z() / count.k);
         const auto& [sphere, region] = all[order[next]];
         if (clearance(walls, x, radius) < 0.0) return;
-        if (!inside(region, x)) return;
+        if (!contains(region, x)) return;
         // A little off the lattice, so that columns of particles do not stand on each other's heads.
         const auto u = core::random_uniform(seed, sphere.id, order_draw + 1);
         auto& place = spheres[order[next]];
@@ -226,7 +228,7 @@ std::vector<core::Sphere> place_packed(const core::Domain& domain, const std::ve
                 x[int(across)] = layers[across].at(j);
                 x[int(along)] = layers[along].at(i);
                 const auto& [sphere, region] = all[order[next]];
-                if (!inside(region, x)) continue;
+                if (!contains(region, x)) continue;
                 spheres[order[next]] = sphere;
                 spheres[order[next]].position = x;
                 ++next;

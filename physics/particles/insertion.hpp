@@ -3,34 +3,31 @@
 #pragma once
 // Places for new particles: at random or on a lattice, apart from each other and from the walls. Every rank finds the same
 // places, since each number comes from the seed and the particle's id.
-#include "core/particles/domain.hpp"
 #include "core/particles/particle_set.hpp"
-#include "physics/particles/walls.hpp"
+#include "physics/particles/region.hpp"
+#include "physics/particles/wall_distance.hpp"
 
 #include <cstdint>
 
 namespace physics {
-
-/// Where the centres of a group may lie, relative to the domain's origin.
-struct Region {
-    core::Vec3 low = core::Vec3::Zero(), high = core::Vec3::Zero(); ///< [m]
-};
 
 /// A group of particles to be placed, equal but for their sizes.
 struct Group {
     core::Sphere like; ///< all but position and id
     int count = 0;
     std::vector<double> radii; ///< One for each, dealt out at random; without them all have that of `like` [m].
-    Region region;
+    Region region;             ///< Of the centres.
 };
-
-/// Distance from the surface of a sphere to the nearest wall; negative if it sticks in a wall [m].
-[[nodiscard]] double clearance(const std::vector<Wall>& walls, const core::Vec3& centre, double radius);
 
 /// Random sequential addition, the largest spheres first; ids run through the groups in their order.
 /// @throws core::ConfigError if some sphere finds no place: the region is too full.
 [[nodiscard]] std::vector<core::Sphere> place_at_random(const core::Domain& domain, const std::vector<Wall>& walls,
                                                         const std::vector<Group>& groups, std::uint64_t seed);
+
+/// Anywhere at random, then relaxed until none overlaps (overlap_relaxation.hpp): up to random close packing.
+/// @throws core::ConfigError if they do not come apart: the region is too full.
+[[nodiscard]] std::vector<core::Sphere> place_densely(const core::Domain& domain, const std::vector<Wall>& walls,
+                                                      const std::vector<Group>& groups, std::uint64_t seed);
 
 /// A simple cubic lattice just wider than the largest sphere, filled from below, the groups mixed at random.
 /// @throws core::ConfigError if the regions have too few sites.

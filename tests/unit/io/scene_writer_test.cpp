@@ -55,8 +55,11 @@ TEST_CASE("every value survives the resolved text")
     scene.gravity = io::Gravity{core::Vec3(1, 2, -2) / 3.0, 1.62};
     scene.particles.push_back({.name = "-5", .count = 3, .density = 2500.0});
     scene.particles[1].sizes = io::SizeKeys{.share_of = physics::ShareOf::number, .sieve = {{1e-3 / 3.0, 0.0}, {2e-3, 1.0}}};
-    scene.particles[1].initial = {io::Arrangement::packed, core::Vec3(0.02, 0.02, 0.02), core::Vec3(0.03, 0.04, 0.05),
-                                  core::Vec3(0.0, -0.1, 1e-300), 0.99};
+    scene.particles[1].initial = {.arrangement = io::Arrangement::packed,
+                                  .region = {core::Vec3(0.02, 0.02, 0.02), core::Vec3(0.03, 0.04, 0.05), {}, {}},
+                                  .velocity = core::Vec3(0.0, -0.1, 1e-300),
+                                  .spacing = 0.99,
+                                  .overlaps = io::Overlaps::relax};
     scene.contact = io::Contact{io::ContactLaw::linear, 1e4 / 3.0, 0.9, 0.1, 0.5, 50, io::WallShape::primitive};
     scene.coupling = io::Coupling{io::CouplingMode::iterated,    {0.003, false}, io::CouplingPreset::seed, io::DragLaw::smooth,
                                   io::MagnusLaw::rubinow_keller, io::Switch::on, io::Switch::off,          io::Switch::on};

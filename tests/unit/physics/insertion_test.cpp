@@ -16,7 +16,7 @@ physics::Group group(int count, double diameter, int species)
     g.like.density = 2000;
     g.like.species = species;
     g.count = count;
-    g.region = {core::Vec3::Zero(), pipe_domain.size};
+    g.region = physics::BoxRegion{core::Vec3::Zero(), pipe_domain.size};
     return g;
 }
 

@@ -17,7 +17,7 @@ physics::Group group_of(const core::Domain& domain, int count)
     physics::Group group;
     group.like.radius = 0.5 * diameter;
     group.count = count;
-    group.region = {Vec3::Zero(), domain.size};
+    group.region = physics::BoxRegion{Vec3::Zero(), domain.size};
     return group;
 }
 

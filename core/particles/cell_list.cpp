@@ -3,23 +3,25 @@
 #include "core/particles/cell_list.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace core {
 namespace {
 
-/// Counting sort of the first `n` particles: start[b] is the first entry of bin b, order the particles of all bins.
-void sort_by_bin(const ParticleSet& particles, const BinLattice& lattice, int n, std::vector<int>& start, std::vector<int>& order)
+/// Counting sort of the particles `members`: start[b] is the first entry of bin b, order the particles of all bins.
+void sort_by_bin(const ParticleSet& particles, const BinLattice& lattice, const std::vector<int>& members, std::vector<int>& start,
+                 std::vector<int>& order)
 {
-    std::vector<std::int64_t> keys(std::size_t(n), 0);
+    std::vector<std::int64_t> keys(members.size(), 0);
     start.assign(std::size_t(lattice.bins()) + 1, 0);
-    for (int i = 0; i < n; ++i) {
-        keys[std::size_t(i)] = lattice.key(lattice.bin(particles.position_of(i)));
-        ++start[std::size_t(keys[std::size_t(i)]) + 1];
+    for (std::size_t n = 0; n < members.size(); ++n) {
+        keys[n] = lattice.key(lattice.bin(particles.position_of(members[n])));
+        ++start[std::size_t(keys[n]) + 1];
     }
     for (std::size_t b = 1; b < start.size(); ++b) start[b] += start[b - 1];
     std::vector<int> next(start.begin(), start.end() - 1);
-    order.resize(std::size_t(n));
-    for (int i = 0; i < n; ++i) order[std::size_t(next[std::size_t(keys[std::size_t(i)])]++)] = i;
+    order.resize(members.size());
+    for (std::size_t n = 0; n < members.size(); ++n) order[std::size_t(next[std::size_t(keys[n])]++)] = members[n];
 }
 
 } // namespace
@@ -27,16 +29,28 @@ void sort_by_bin(const ParticleSet& particles, const BinLattice& lattice, int n,
 std::vector<int> order_by_bin(const ParticleSet& particles, const BinLattice& lattice)
 {
     std::vector<int> start, order;
-    sort_by_bin(particles, lattice, particles.owned, start, order);
+    std::vector<int> owned(std::size_t(particles.owned));
+    std::iota(owned.begin(), owned.end(), 0);
+    sort_by_bin(particles, lattice, owned, start, order);
     const auto by_id = [&](int a, int b) { return particles.id[std::size_t(a)] < particles.id[std::size_t(b)]; };
     for (std::size_t b = 0; b + 1 < start.size(); ++b) std::sort(order.begin() + start[b], order.begin() + start[b + 1], by_id);
     return order;
 }
 
-void CellList::build(const ParticleSet& particles, const BinLattice& lattice)
+void CellLists::build(const ParticleSet& particles, const LevelBins& bins)
+{
+    sizes_ = bins.sizes;
+    level_.resize(bins.lattice.size());
+    members_.resize(bins.lattice.size());
+    for (auto& members : members_) members.clear();
+    for (int i = 0; i < particles.size(); ++i) members_[std::size_t(sizes_.level_of(particles.radius[std::size_t(i)]))].push_back(i);
+    for (std::size_t level = 0; level < level_.size(); ++level) level_[level].build(particles, bins.lattice[level], members_[level]);
+}
+
+void CellList::build(const ParticleSet& particles, const BinLattice& lattice, const std::vector<int>& members)
 {
     lattice_ = lattice;
-    sort_by_bin(particles, lattice, particles.size(), start_, index);
+    sort_by_bin(particles, lattice, members, start_, index);
     for (auto* column : {&x, &y, &z, &radius}) column->resize(index.size());
     for (std::size_t k = 0; k < index.size(); ++k) {
         const auto i = std::size_t(index[k]);

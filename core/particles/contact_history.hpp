@@ -25,6 +25,7 @@ struct ContactHistory {
     std::vector<double> spring; ///< `width` numbers for each contact.
 
     [[nodiscard]] int rows() const { return int(start.size()) - 1; }
+    [[nodiscard]] int row_size(int row) const { return start[std::size_t(row) + 1] - start[std::size_t(row)]; }
 
     void add(std::int64_t with, const Spring& value)
     {

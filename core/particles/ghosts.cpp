@@ -20,15 +20,22 @@ void for_each_motion(Set& particles, std::size_t i, Visit visit)
         for (auto& column : *triple) visit(column[i]);
 }
 
-} // namespace
-
-std::vector<std::int64_t> bins_of_interest(const ParticleSet& particles, const BinLattice& lattice)
+void sort_unique(std::vector<std::int64_t>& values)
 {
-    std::vector<std::int64_t> occupied;
-    for (int i = 0; i < particles.owned; ++i) occupied.push_back(lattice.key(lattice.bin(particles.position_of(i))));
-    std::sort(occupied.begin(), occupied.end());
-    occupied.erase(std::unique(occupied.begin(), occupied.end()), occupied.end());
-    std::vector<std::int64_t> keys;
+    std::sort(values.begin(), values.end());
+    values.erase(std::unique(values.begin(), values.end()), values.end());
+}
+
+/// Whose neighbours are looked for in a bin of a level: those of its own particles, or those of smaller ones.
+enum class Around { own, smaller };
+
+/// A number for a bin of a level and what it is wanted for.
+std::int64_t mark_of(std::int64_t key, int level, Around around) { return (key * radius_octaves + level) * 2 + std::int64_t(around); }
+
+/// Adds the marks of the bins `occupied` and of all around them.
+void add_marks(const BinLattice& lattice, std::vector<std::int64_t> occupied, int level, Around around, std::vector<std::int64_t>& marks)
+{
+    sort_unique(occupied);
     for (const auto key : occupied) {
         const Bin home = lattice.from_key(key);
         for (int step = 0; step < 27; ++step) {
@@ -38,21 +45,47 @@ std::vector<std::int64_t> bins_of_interest(const ParticleSet& particles, const B
                 if (lattice.periodic[a]) b[a] = (b[a] + lattice.count[a]) % lattice.count[a];
                 inside = inside && b[a] >= 0 && b[a] < lattice.count[a];
             }
-            if (inside) keys.push_back(lattice.key(b));
+            if (inside) marks.push_back(mark_of(lattice.key(b), level, around));
         }
     }
-    std::sort(keys.begin(), keys.end());
-    keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
-    return keys;
 }
 
-void Ghosts::choose(const ParticleSet& particles, const BinLattice& lattice, const std::vector<std::vector<std::int64_t>>& wanted)
+} // namespace
+
+std::vector<std::int64_t> bins_of_interest(const ParticleSet& particles, const LevelBins& bins)
+{
+    const int levels = bins.sizes.count();
+    std::vector<std::int64_t> marks;
+    for (int level = 0; level < levels; ++level) {
+        const BinLattice& lattice = bins.lattice[std::size_t(level)];
+        std::vector<std::int64_t> own, smaller;
+        for (int i = 0; i < particles.owned; ++i) {
+            const int here = bins.sizes.level_of(particles.radius[std::size_t(i)]);
+            if (here >= level) (here == level ? own : smaller).push_back(lattice.key(lattice.bin(particles.position_of(i))));
+        }
+        add_marks(lattice, std::move(own), level, Around::own, marks);
+        add_marks(lattice, std::move(smaller), level, Around::smaller, marks);
+    }
+    sort_unique(marks);
+    return marks;
+}
+
+void Ghosts::choose(const ParticleSet& particles, const LevelBins& bins, const std::vector<std::vector<std::int64_t>>& wanted)
 {
     chosen_.assign(wanted.size(), {});
+    std::vector<std::int64_t> marks;
     for (int i = 0; i < particles.owned; ++i) {
-        const auto key = lattice.key(lattice.bin(particles.position_of(i)));
+        const int own = bins.sizes.level_of(particles.radius[std::size_t(i)]);
+        marks.clear();
+        for (int level = 0; level <= own; ++level) {
+            const BinLattice& lattice = bins.lattice[std::size_t(level)];
+            const auto key = lattice.key(lattice.bin(particles.position_of(i)));
+            marks.push_back(mark_of(key, level, Around::own));
+            if (level == own && own + 1 < bins.sizes.count()) marks.push_back(mark_of(key, level, Around::smaller));
+        }
         for (std::size_t r = 0; r < wanted.size(); ++r)
-            if (std::binary_search(wanted[r].begin(), wanted[r].end(), key)) chosen_[r].push_back(i);
+            if (std::any_of(marks.begin(), marks.end(), [&](auto m) { return std::binary_search(wanted[r].begin(), wanted[r].end(), m); }))
+                chosen_[r].push_back(i);
     }
 }
 

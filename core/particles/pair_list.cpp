@@ -9,41 +9,64 @@ namespace {
 
 constexpr auto index_of(int i) { return std::size_t(i); }
 
-} // namespace
-
-void PairList::find(const ParticleSet& particles, const CellList& cells, double skin, int chunk)
+/// The ways to the images of a lattice [m].
+std::array<std::array<float, 3>, 27> shifts_of(const BinLattice& lattice)
 {
-    auto& found = found_[index_of(chunk)];
-    found.clear();
-    const BinLattice& lattice = cells.lattice();
     std::array<std::array<float, 3>, 27> shifts;
     for (int n = 0; n < 27; ++n)
         for (std::size_t a = 0; a < 3; ++a) {
             const int step = a == 0 ? n % 3 - 1 : a == 1 ? n / 3 % 3 - 1 : n / 9 - 1;
             shifts[index_of(n)][a] = float(step * lattice.width[int(a)] * double(lattice.count[a]));
         }
+    return shifts;
+}
+
+} // namespace
+
+/// Among particles of its own size a particle looks for those that come after it; among larger ones for all, who then need not look for
+/// it. Ghosts look for larger owned ones only.
+void PairList::find(const ParticleSet& particles, const CellLists& cells, double skin, int chunk)
+{
+    auto& crossing = crossing_[index_of(chunk)];
+    crossing.clear();
     std::array<CellRow, 27> rows;
-    const int end = std::min(particles.owned, (chunk + 1) * particles_per_chunk);
-    for (int i = chunk * particles_per_chunk; i < end; ++i) {
-        const Vec3 position = particles.position_of(i);
-        const Vec3 here = position - lattice.low;
-        const float reach = float(particles.radius[index_of(i)] + skin) + cells.rounding();
-        const int count = cells.rows_around(lattice.bin(position), rows);
-        for (int r = 0; r < count; ++r) {
-            const auto& [begin, stop, image] = rows[index_of(r)];
-            const auto& shift = shifts[index_of(image)];
-            const float x = float(here[0]) - shift[0], y = float(here[1]) - shift[1], z = float(here[2]) - shift[2];
-            for (auto k = index_of(begin); k < index_of(stop); ++k) {
-                const int j = cells.index[k];
-                if (j <= i) continue;
-                const float dx = cells.x[k] - x, dy = cells.y[k] - y, dz = cells.z[k] - z;
-                const float near = cells.radius[k] + reach;
-                if (dx * dx + dy * dy + dz * dz > near * near) continue;
-                if (particles.id[index_of(i)] < particles.id[index_of(j)]) found.push_back({i, j, std::uint8_t(image)});
-                else found.push_back({j, i, std::uint8_t(26 - image)});
+    const int begin = chunk * particles_per_chunk, end = std::min(particles.size(), begin + particles_per_chunk);
+    if (begin < particles.owned) found_[index_of(chunk)].clear();
+    const SizeLevels& sizes = cells.sizes();
+    for (int level = 0; level < sizes.count(); ++level) {
+        const CellList& list = cells.at(level);
+        const BinLattice& lattice = list.lattice();
+        const auto shifts = shifts_of(lattice);
+        for (int i = begin; i < end; ++i) {
+            const int own = sizes.level_of(particles.radius[index_of(i)]);
+            if (own < level || (i >= particles.owned && own == level)) continue;
+            const int before = own == level ? i : -1, after = i < particles.owned ? particles.size() : particles.owned;
+            const Vec3 position = particles.position_of(i), here = position - lattice.low;
+            const float reach = float(particles.radius[index_of(i)] + skin) + list.rounding();
+            const int count = list.rows_around(lattice.bin(position), rows);
+            for (int r = 0; r < count; ++r) {
+                const auto& [first_entry, stop, image] = rows[index_of(r)];
+                const auto& shift = shifts[index_of(image)];
+                const float x = float(here[0]) - shift[0], y = float(here[1]) - shift[1], z = float(here[2]) - shift[2];
+                for (auto k = index_of(first_entry); k < index_of(stop); ++k) {
+                    const int j = list.index[k];
+                    if (j <= before || j >= after) continue;
+                    const float dx = list.x[k] - x, dy = list.y[k] - y, dz = list.z[k] - z;
+                    const float near = list.radius[k] + reach;
+                    if (dx * dx + dy * dy + dz * dz > near * near) continue;
+                    auto& found = std::min(i, j) >= begin && i < particles.owned ? found_[index_of(chunk)] : crossing;
+                    if (particles.id[index_of(i)] < particles.id[index_of(j)]) found.push_back({i, j, std::uint8_t(image)});
+                    else found.push_back({j, i, std::uint8_t(26 - image)});
+                }
             }
         }
     }
+}
+
+void PairList::hand_over_crossing(const ParticleSet& particles)
+{
+    for (const auto& crossing : crossing_)
+        for (const Found& pair : crossing) found_[index_of(std::min(pair.first, pair.second) / particles_per_chunk)].push_back(pair);
 }
 
 void PairList::copy_chunk(const ParticleSet& particles, const ContactHistory& history, int chunk)
@@ -56,20 +79,28 @@ void PairList::copy_chunk(const ParticleSet& particles, const ContactHistory& hi
         second[p] = pair.second;
         image[p] = pair.image;
         const int low = std::min(pair.first, pair.second), high = std::max(pair.first, pair.second);
-        const Spring kept = history.find(low, particles.id[index_of(high)]);
+        // Both have it if both are owned; a large particle has a long row.
+        const bool turn = high < particles.owned && history.row_size(high) < history.row_size(low);
+        const Spring kept = turn ? history.find(high, particles.id[index_of(low)]) : history.find(low, particles.id[index_of(high)]);
         for (std::size_t a = 0; a < spring.size(); ++a) spring[a][p] = kept[a];
         const int other = high / particles_per_chunk;
-        if (high < particles.owned && other != chunk && std::find(later.begin(), later.end(), other) == later.end()) later.push_back(other);
+        if (high < particles.owned && other != chunk && (later.empty() || later.back() != other)) later.push_back(other);
         ++p;
     }
+    std::sort(later.begin(), later.end());
+    later.erase(std::unique(later.begin(), later.end()), later.end());
 }
 
-void PairList::build(const ParticleSet& particles, const CellList& cells, double skin, const ContactHistory& history, const Team& team)
+void PairList::build(const ParticleSet& particles, const CellLists& cells, double skin, const ContactHistory& history, const Team& team)
 {
     const int count = (particles.owned + particles_per_chunk - 1) / particles_per_chunk;
     found_.resize(index_of(count));
     links.resize(index_of(count));
-    team.run(count, [&](int c) { find(particles, cells, skin, c); });
+    const bool levels = cells.sizes().count() > 1;
+    const int looking = levels ? (particles.size() + particles_per_chunk - 1) / particles_per_chunk : count;
+    crossing_.resize(index_of(looking));
+    team.run(looking, [&](int c) { find(particles, cells, skin, c); });
+    if (levels) hand_over_crossing(particles);
     chunk_begin.assign(1, 0);
     for (int c = 0; c < count; ++c) chunk_begin.push_back(chunk_begin.back() + int(found_[index_of(c)].size()));
     const auto total = index_of(chunk_begin.back());

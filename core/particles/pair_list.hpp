@@ -17,7 +17,7 @@ class PairList {
 public:
     /// Finds all pairs with at least one owned particle and a gap below `skin` [m].
     /// @param history  One row for each owned particle: springs of contacts that go on.
-    void build(const ParticleSet& particles, const CellList& cells, double skin, const ContactHistory& history, const Team& team);
+    void build(const ParticleSet& particles, const CellLists& cells, double skin, const ContactHistory& history, const Team& team);
     /// Appends the springs of owned particle i to the last row of `history`.
     void append_row(const ParticleSet& particles, int i, ContactHistory& history) const;
 
@@ -37,10 +37,12 @@ private:
         int first, second;
         std::uint8_t image;
     };
-    void find(const ParticleSet& particles, const CellList& cells, double skin, int chunk);
+    void find(const ParticleSet& particles, const CellLists& cells, double skin, int chunk);
+    void hand_over_crossing(const ParticleSet& particles);
     void copy_chunk(const ParticleSet& particles, const ContactHistory& history, int chunk);
     void build_rows(const ParticleSet& particles, const Team& team);
-    std::vector<std::vector<Found>> found_;
+    std::vector<std::vector<Found>> found_;    // of each chunk of owned particles
+    std::vector<std::vector<Found>> crossing_; // found by each chunk of all particles, for the chunk of a larger one that comes before it
 };
 
 } // namespace core

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 namespace physics {
 namespace {
@@ -18,6 +19,18 @@ constexpr double usual_near_skin = 0.03;
 int chunk_count(const core::ParticleSet& particles)
 {
     return (particles.owned + core::particles_per_chunk - 1) / core::particles_per_chunk;
+}
+
+/// Greatest radius of the octave with which a tenth of all particles is counted, the smallest first: a few much smaller ones do not
+/// decide. 1 m without particles: nothing is ever near.
+double small_radius(const core::Octaves& greatest, const core::Octaves& count)
+{
+    constexpr double share = 0.1;
+    const double all = std::accumulate(count.begin(), count.end(), 0.0);
+    double sum = 0.0;
+    for (std::size_t octave = 0; octave < count.size(); ++octave)
+        if (sum += count[octave]; sum > 0.0 && sum >= share * all) return greatest[octave];
+    return 1.0;
 }
 
 } // namespace
@@ -35,12 +48,12 @@ ParticleDynamics::ParticleDynamics(const core::Domain& domain, const ParticlePar
     if (resist_turning(pair_laws_) || resist_turning(wall_laws_)) history.width = core::rolling_memory;
 }
 
-void ParticleDynamics::set_reach(double greatest_radius)
+/// The reach of the lists beyond touching. Lists are made anew when a particle has gone half of it, and the small ones are the fastest to
+/// change their neighbours: theirs is the radius that counts.
+void ParticleDynamics::set_reach(double radius)
 {
-    greatest_radius_ = greatest_radius;
-    if (greatest_radius == 0.0) greatest_radius = 1.0; // no particles: nothing is ever near
-    skin_ = parameters_.skin > 0 ? parameters_.skin : usual_skin * greatest_radius;
-    near_skin_ = parameters_.near_skin > 0 ? std::min(parameters_.near_skin, skin_) : usual_near_skin * greatest_radius;
+    skin_ = parameters_.skin > 0 ? parameters_.skin : usual_skin * radius;
+    near_skin_ = parameters_.near_skin > 0 ? std::min(parameters_.near_skin, skin_) : usual_near_skin * radius;
 }
 
 double ParticleDynamics::start(const core::Team& team)
@@ -126,17 +139,20 @@ core::Bounds ParticleDynamics::bounds() const
     return b;
 }
 
-void ParticleDynamics::sort(const core::BinLattice& lattice)
+void ParticleDynamics::sort(const core::Bounds& bounds, const core::Octaves& greatest, const core::Octaves& count)
 {
-    lattice_ = lattice;
-    const auto order = core::order_by_bin(particles, lattice);
+    const double radius = small_radius(greatest, count);
+    set_reach(radius);
+    const core::SizeLevels sizes(greatest);
+    bins_ = core::make_level_bins(domain_, bounds, sizes, skin_, std::int64_t(std::accumulate(count.begin(), count.end(), 0.0)));
+    const auto order = core::order_by_bin(particles, bins_.lattice[std::size_t(sizes.level_of(radius))]);
     particles.reorder(order);
     history.reorder(order);
 }
 
 void ParticleDynamics::build(const core::Team& team)
 {
-    cells_.build(particles, lattice_);
+    cells_.build(particles, bins_);
     pairs_.build(particles, cells_, skin_, history, team);
     walls_.build(particles, 0.5 * skin_, history); // walls do not come closer themselves
     if (!surface_.empty()) surface_.build(particles, 0.5 * skin_, 0.5 * near_skin_, history);
@@ -166,6 +182,13 @@ void ParticleDynamics::refresh_near(const core::Team& team)
     if (!surface_.empty()) surface_.refresh(particles, team);
     near_built_ = true;
     near_travelled_ = 0.0;
+}
+
+void ParticleDynamics::measure_watched(const core::Team& team)
+{
+    if (!contact_columns_) return;
+    if (near_built_) measure_contacts(particles, pairs_, near_, shifts_, forces_, *contact_columns_, team);
+    else measure_no_contacts(particles, *contact_columns_);
 }
 
 void ParticleDynamics::plan_segments(int threads)

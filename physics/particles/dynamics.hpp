@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The moving particles of one rank and the lists of who may touch whom: the parts of a sub-step, without messages.
+#include "physics/particles/contact_measure.hpp"
 #include "physics/particles/newton.hpp"
 #include "physics/particles/surface_contacts.hpp"
 #include "physics/particles/walls.hpp"
 
+#include <optional>
 #include <variant>
 
 namespace physics {
@@ -30,11 +32,6 @@ public:
     /// @pre no batch of sub-steps has been begun
     void set_step(double step);
 
-    /// Reach of the lists beyond touching [m]; the same on all ranks. @param greatest_radius  Of all ranks [m].
-    void set_reach(double greatest_radius);
-    /// Largest distance of centres in the lists [m].
-    [[nodiscard]] double cutoff() const { return 2.0 * greatest_radius_ + skin_; }
-
     /// First half drift of a batch of sub-steps. @returns the greatest square of speed of this rank [m2/s2].
     double start(const core::Team& team);
     /// One sub-step of all owned particles. Half a drift follows the kick, a whole one unless it is the `last` of the batch.
@@ -57,12 +54,20 @@ public:
     void forget_lists();
     /// Bounds of the owned particles [m].
     [[nodiscard]] core::Bounds bounds() const;
-    /// Sorts the owned particles into the bins of `lattice`. @pre dissolve()
-    void sort(const core::BinLattice& lattice);
+    /// Chooses the reach of the lists and their bins, the same on all ranks, and sorts the owned particles into them. @pre dissolve()
+    /// @param bounds, greatest, count  Of all ranks: where particles are, greatest radius [m] and number in each octave of radii.
+    void sort(const core::Bounds& bounds, const core::Octaves& greatest, const core::Octaves& count);
     /// Makes all lists from owned particles and ghosts. @pre sort(), ghosts in place
     void build(const core::Team& team);
 
-    [[nodiscard]] const core::BinLattice& lattice() const { return lattice_; }
+    [[nodiscard]] const core::LevelBins& bins() const { return bins_; }
+
+    /// Keeps what contacts come to at the end of each batch in columns of the particles. @pre before the first sub-step
+    void watch_contacts() { contact_columns_ = add_contact_columns(particles); }
+    /// None unless contacts are watched.
+    [[nodiscard]] const std::optional<ContactColumns>& contact_columns() const { return contact_columns_; }
+    /// Sets the columns of watched contacts; nothing without. @pre the batch is finished, its lists are still there
+    void measure_watched(const core::Team& team);
     /// All pairs that may touch before the next rebuild, for reports and tests.
     [[nodiscard]] const core::PairList& pairs() const { return pairs_; }
 
@@ -70,6 +75,7 @@ public:
     [[nodiscard]] std::size_t bytes() const;
 
 private:
+    void set_reach(double radius);
     void return_springs(const core::Team& team);
     void refresh_near(const core::Team& team);
     void plan_segments(int threads);
@@ -84,9 +90,9 @@ private:
     WallContacts walls_;
     SurfaceContacts surface_;
     std::array<core::Vec3, 27> shifts_;
-    double greatest_radius_ = 0.0, skin_ = 0.0, near_skin_ = 0.0;
-    core::BinLattice lattice_;
-    core::CellList cells_;
+    double skin_ = 0.0, near_skin_ = 0.0;
+    core::LevelBins bins_;
+    core::CellLists cells_;
     core::PairList pairs_;
     core::NearPairs near_;
     PairForces forces_;
@@ -97,6 +103,7 @@ private:
     std::vector<int> segments_;  // chunks [segments_[s], segments_[s + 1]) run one after the other
     std::vector<char> deferred_; // chunks that other segments' pairs touch: moved when all pairs are done
     int planned_threads_ = 0;
+    std::optional<ContactColumns> contact_columns_;
 };
 
 } // namespace physics

@@ -16,7 +16,7 @@ using core::Vec3;
 constexpr int most_sweeps = 20000;
 constexpr double inflation = 1e-3;   // spheres relax a little too large, so that none overlaps when that is left of it
 constexpr double largest_move = 0.1; // diameters in a sweep
-constexpr double skin_share = 0.4;   // of the greatest radius
+constexpr double skin_share = 0.4;   // of the smallest radius
 
 /// The spheres while they move: energy of overlaps, forces, and the steps of FIRE.
 class Relaxer {
@@ -25,18 +25,20 @@ public:
             const std::vector<core::Sphere>& spheres)
         : domain_(domain), walls_(walls), regions_(regions), shifts_(core::image_shifts(domain))
     {
-        double smallest = std::numeric_limits<double>::infinity();
+        core::Octaves octaves{};
         for (core::Sphere sphere : spheres) {
             sphere.radius *= 1.0 + inflation;
             sphere.density = 1.0;
             set_.add(sphere);
-            greatest_ = std::max(greatest_, sphere.radius);
-            smallest = std::min(smallest, sphere.radius);
+            double& greatest = octaves[std::size_t(core::octave_of(sphere.radius))];
+            greatest = std::max(greatest, sphere.radius);
+            smallest_ = std::min(smallest_, sphere.radius);
             at_.push_back(sphere.position);
         }
-        for (const double r : set_.radius) inertia_.push_back(r * r / (smallest * smallest)); // as many contacts fit on it
+        for (const double r : set_.radius) inertia_.push_back(r * r / (smallest_ * smallest_)); // as many contacts fit on it
         velocity_.assign(at_.size(), Vec3::Zero());
         listed_ = at_;
+        sizes_ = core::SizeLevels(octaves);
     }
 
     /// @returns the greatest overlap over what it may be.
@@ -76,7 +78,7 @@ public:
     [[nodiscard]] const std::vector<Vec3>& places() const { return at_; }
 
 private:
-    [[nodiscard]] double skin() const { return skin_share * greatest_; }
+    [[nodiscard]] double skin() const { return skin_share * smallest_; }
 
     /// The way from sphere j to the image that sphere i meets, between places that may have left the domain since they were listed.
     [[nodiscard]] Vec3 shift_of(std::size_t i, std::size_t j, std::size_t p) const
@@ -97,8 +99,8 @@ private:
             bounds.low = bounds.low.cwiseMin(set_.position_of(int(i)));
             bounds.high = bounds.high.cwiseMax(set_.position_of(int(i)));
         }
-        core::CellList cells;
-        cells.build(set_, core::make_bin_lattice(domain_, bounds, 2.0 * greatest_ + skin(), std::int64_t(at_.size())));
+        core::CellLists cells;
+        cells.build(set_, core::make_level_bins(domain_, bounds, sizes_, skin(), std::int64_t(at_.size())));
         core::ContactHistory none;
         for (std::size_t i = 0; i < at_.size(); ++i) none.end_row();
         pairs_.build(set_, cells, skin(), none, core::SerialTeam());
@@ -171,7 +173,8 @@ private:
     core::PairList pairs_;
     std::vector<Vec3> at_, velocity_, force_, listed_, wrap_;
     std::vector<double> inertia_;
-    double greatest_ = 0.0, moved_ = 0.0, worst_ = 0.0;
+    core::SizeLevels sizes_;
+    double smallest_ = std::numeric_limits<double>::infinity(), moved_ = 0.0, worst_ = 0.0;
     double step_ = 0.1, mixing_ = 0.1;
     int downhill_ = 0;
 };

@@ -10,11 +10,17 @@
 namespace physics {
 namespace {
 
-double greatest_radius(const core::ParticleSet& particles)
+/// Greatest radius and number of the owned particles in each octave.
+void count_sizes(const core::ParticleSet& particles, std::span<double> greatest, core::Octaves& count)
 {
-    double greatest = 0.0;
-    for (int i = 0; i < particles.owned; ++i) greatest = std::max(greatest, particles.radius[std::size_t(i)]);
-    return greatest;
+    std::fill(greatest.begin(), greatest.end(), 0.0);
+    count.fill(0.0);
+    for (int i = 0; i < particles.owned; ++i) {
+        const double radius = particles.radius[std::size_t(i)];
+        const auto octave = std::size_t(core::octave_of(radius));
+        greatest[octave] = std::max(greatest[octave], radius);
+        count[octave] += 1.0;
+    }
 }
 
 } // namespace
@@ -53,6 +59,7 @@ bool ParticleStepper::work(const core::Team& team)
     case Wait::nothing: // first half drift of the batch
         if (handing_over_) {
             have_ghosts_ = handing_over_ = false;
+            dynamics_.measure_watched(team);
             dynamics_.dissolve(team);
             pack_leavers();
             wait_ = Wait::leaver_lengths;
@@ -122,8 +129,11 @@ void ParticleStepper::start_rebuild(const core::Team& team)
     dynamics_.dissolve(team);
     const auto& particles = dynamics_.particles;
     const auto bounds = dynamics_.bounds();
-    shared_ = {greatest_radius(particles), -bounds.low[0], -bounds.low[1], -bounds.low[2], bounds.high[0], bounds.high[1], bounds.high[2]};
-    count_ = double(particles.owned);
+    for (int a = 0; a < 3; ++a) {
+        shared_[std::size_t(a)] = -bounds.low[a];
+        shared_[std::size_t(3 + a)] = bounds.high[a];
+    }
+    count_sizes(particles, std::span(shared_).subspan(6), count_);
     pack_leavers();
     wait_ = Wait::extent;
 }
@@ -154,12 +164,13 @@ void ParticleStepper::sort_particles(const core::Team&)
 {
     auto& particles = dynamics_.particles;
     take_arrivals();
-    dynamics_.set_reach(shared_[0]);
-    const core::Bounds bounds{-core::Vec3(shared_[1], shared_[2], shared_[3]), core::Vec3(shared_[4], shared_[5], shared_[6])};
-    dynamics_.sort(core::make_bin_lattice(dynamics_.domain(), bounds, dynamics_.cutoff(), std::int64_t(count_)));
+    const core::Bounds bounds{-core::Vec3(shared_[0], shared_[1], shared_[2]), core::Vec3(shared_[3], shared_[4], shared_[5])};
+    core::Octaves greatest;
+    std::copy(shared_.begin() + 6, shared_.end(), greatest.begin());
+    dynamics_.sort(bounds, greatest, count_);
     exchange_.start(ranks_);
     if (ranks_ > 1) {
-        const auto bins = core::bins_of_interest(particles, dynamics_.lattice());
+        const auto bins = core::bins_of_interest(particles, dynamics_.bins());
         for (int r = 0; r < ranks_; ++r)
             if (r != rank_) core::write_bytes(exchange_.outgoing[std::size_t(r)], std::span<const std::int64_t>(bins));
     }
@@ -172,7 +183,7 @@ void ParticleStepper::choose_ghosts()
     for (int r = 0; r < ranks_; ++r)
         for (core::ByteReader reader(exchange_.incoming[std::size_t(r)]); !reader.empty();)
             wanted[std::size_t(r)].push_back(reader.read<std::int64_t>());
-    ghosts_.choose(dynamics_.particles, dynamics_.lattice(), wanted);
+    ghosts_.choose(dynamics_.particles, dynamics_.bins(), wanted);
     exchange_.start(ranks_);
     for (int r = 0; r < ranks_; ++r) exchange_.outgoing[std::size_t(r)] = ghosts_.describe(dynamics_.particles, r);
     wait_ = Wait::ghost_lengths;
@@ -189,7 +200,7 @@ void ParticleStepper::post(const core::Communicator& communicator, core::Pending
     case Wait::displacement: communicator.start_max(std::span(shared_).first(1), pending); break;
     case Wait::extent:
         communicator.start_max(shared_, pending);
-        communicator.start_sum(std::span(&count_, 1), pending);
+        communicator.start_sum(count_, pending);
         exchange_.post_lengths(communicator, pending);
         break;
     case Wait::bin_lengths:

@@ -60,8 +60,8 @@ private:
     double time_ = 0.0; // that the fastest particle has gone since the last account
     Wait wait_ = Wait::nothing;
     bool have_ghosts_ = false, handing_over_ = false;
-    std::array<double, 7> shared_; // greatest values of all ranks
-    double count_ = 0.0;           // particles of all ranks
+    std::array<double, 6 + core::radius_octaves> shared_; // greatest values of all ranks
+    core::Octaves count_{};                               // particles of all ranks in each octave of radii; whole numbers, so exact
 };
 
 } // namespace physics

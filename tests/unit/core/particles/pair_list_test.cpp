@@ -46,10 +46,14 @@ void compare(const core::Domain& domain, double small, double large)
     auto set = random_spheres(900, domain.size, small, large);
     const double skin = 0.3 * small, margin = 1e-9;
     const core::Bounds bounds{Vec3::Zero(), domain.size};
-    const auto lattice = core::make_bin_lattice(domain, bounds, 2 * large + skin, set.owned);
-    set.reorder(core::order_by_bin(set, lattice));
-    core::CellList cells;
-    cells.build(set, lattice);
+    core::Octaves octaves{};
+    for (const double r : set.radius) octaves[std::size_t(core::octave_of(r))] = std::max(octaves[std::size_t(core::octave_of(r))], r);
+    const core::SizeLevels sizes(octaves);
+    CHECK(sizes.count() == (large > 2 * small ? 2 : 1));
+    const auto bins = core::make_level_bins(domain, bounds, sizes, skin, set.owned);
+    set.reorder(core::order_by_bin(set, bins.finest()));
+    core::CellLists cells;
+    cells.build(set, bins);
     core::ContactHistory none;
     for (int i = 0; i < set.owned; ++i) none.end_row();
     core::PairList pairs;
@@ -86,6 +90,26 @@ TEST_CASE("the lists hold all close pairs across periodic sides, also with two b
 TEST_CASE("the lists hold all close pairs of spheres 1:20")
 {
     compare({Vec3::Zero(), Vec3(1.0, 1.0, 1.0), {false, true, false}}, 0.01, 0.2);
+    compare({Vec3::Zero(), Vec3(1.0, 1.0, 1.0), {true, true, true}}, 0.004, 0.2);
+}
+
+TEST_CASE("radii within a factor of two are one level, whatever octaves they fall into")
+{
+    const auto levels = [](std::vector<double> radii) {
+        core::Octaves octaves{};
+        for (const double r : radii) octaves[std::size_t(core::octave_of(r))] = std::max(octaves[std::size_t(core::octave_of(r))], r);
+        return core::SizeLevels(octaves);
+    };
+    CHECK(levels({1e-3}).count() == 1);
+    CHECK(levels({0.9e-3, 1.1e-3}).count() == 1); // 2^-10 lies between them
+    CHECK(levels({1e-3, 1.5e-3}).count() == 1);
+    const core::SizeLevels wide = levels({1e-3, 3e-3, 5e-2});
+    CHECK(wide.count() == 3);
+    CHECK(wide.level_of(5e-2) == 0);
+    CHECK(wide.level_of(3e-3) == 1);
+    CHECK(wide.level_of(1e-3) == 2);
+    CHECK(wide.greatest(1) == 3e-3);
+    CHECK(levels({}).count() == 1);
 }
 
 TEST_CASE("histories keep springs by id, also of walls")

@@ -36,6 +36,7 @@ public:
     }
     /// Sums of each block, zero for those of other ranks: add them up over the ranks, element by element.
     [[nodiscard]] std::span<double> of_blocks() { return of_blocks_; }
+    [[nodiscard]] int all_blocks() const { return int(of_blocks_.size()) / most; }
     [[nodiscard]] double total(int sum) const
     {
         double value = 0.0;

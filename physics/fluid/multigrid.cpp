@@ -36,6 +36,21 @@ Multigrid::Multigrid(const BlockTopology& topology, const MultigridOptions& opti
     list_cycle();
 }
 
+Multigrid::Multigrid(const Multigrid& other, WithShift)
+    : options_(other.options_),
+      weights_(other.weights_),
+      firm_weights_(other.firm_weights_),
+      link_source_(other.link_source_),
+      levels_(other.levels_),
+      coarsest_(std::make_unique<CoarsestSolver>(levels_.back().mesh)),
+      set_up_(other.set_up_),
+      cycle_(other.cycle_)
+{
+    options_.shifted = true;
+    options_.singular = false;
+    for (MultigridLevel& level : levels_) level.matrix.shift.assign(level.mesh.layout.size(), 0.0F);
+}
+
 Multigrid::~Multigrid() = default;
 Multigrid::Multigrid(Multigrid&&) noexcept = default;
 

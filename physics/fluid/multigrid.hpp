@@ -22,6 +22,9 @@ struct MultigridOptions {
     bool singular = true;        ///< no shift and no wall that holds the unknown
 };
 
+/// Asks for the same grids with a shift.
+struct WithShift {};
+
 /// Part of the set-up or of a cycle. A step that sends is started, and completed when its messages have arrived.
 struct MultigridStep {
     enum class Kind {
@@ -64,6 +67,8 @@ public:
     /// Collective over `communicator`.
     Multigrid(const BlockTopology& topology, const MultigridOptions& options,
               const core::Communicator& communicator = core::Communicator::self());
+    /// The same grids for an operator with a shift, which is not singular. No message.
+    Multigrid(const Multigrid& other, WithShift);
     ~Multigrid();
     Multigrid(Multigrid&&) noexcept;
 

@@ -15,6 +15,14 @@ SevenPointSolver::SevenPointSolver(const BlockTopology& topology, const Multigri
 {
 }
 
+SevenPointSolver::SevenPointSolver(const SevenPointSolver& other, WithShift shift)
+    : communicator_(other.communicator_),
+      multigrid_(other.multigrid_, shift),
+      matrix_(make_seven_point<double>(multigrid_.mesh(), true)),
+      workspace_(multigrid_.mesh().layout, other.workspace_.sums.all_blocks(), other.workspace_.all_cells)
+{
+}
+
 void SevenPointSolver::copy(const core::Team& team, const Coefficients& coefficients)
 {
     layout().for_pieces(team, [&](int n) { copy_coefficients(mesh(), coefficients, n, matrix_); });

@@ -13,8 +13,13 @@ public:
     SevenPointSolver(const BlockTopology& topology, const MultigridOptions& options,
                      const core::Communicator& communicator = core::Communicator::self());
 
+    /// The same grids for an operator with a shift, coefficients to be loaded. No message.
+    SevenPointSolver(const SevenPointSolver& other, WithShift shift);
+
     [[nodiscard]] const LevelMesh& mesh() const { return multigrid_.mesh(); }
     [[nodiscard]] const BlockLayout& layout() const { return multigrid_.mesh().layout; }
+    [[nodiscard]] const Multigrid& multigrid() const { return multigrid_; }
+    [[nodiscard]] const KrylovWorkspace& workspace() const { return workspace_; }
     [[nodiscard]] const SevenPoint<double>& matrix() const { return matrix_; }
     [[nodiscard]] Multigrid& multigrid() { return multigrid_; }
     [[nodiscard]] KrylovWorkspace& workspace() { return workspace_; }

@@ -54,7 +54,7 @@ FlowControl::FlowControl(const SystemContext& context, const FlowDrive& drive, P
     if (viscosity <= 0) return;
     const SystemContext& c = context_;
     const SystemContext resting{c.mesh, walls_at_rest_, c.halos, c.pressure_is_given, c.walls_slip, c.viscosity_ratio, c.is_straight};
-    viscosity_system_ = std::make_unique<ViscositySystem>(resting, pressure.layout(), tolerances);
+    viscosity_system_ = std::make_unique<ViscositySystem>(resting, pressure, tolerances);
     response_change_.allocate();
 }
 

@@ -43,7 +43,7 @@ FluidStep::FluidStep(const core::Mesh& mesh, const core::Communicator& ranks, ta
         begin_step();
     }
     if (parameters_.viscosity > 0)
-        viscosity_system_ = std::make_unique<ViscositySystem>(system_context(), pressure_system_.layout(), parameters_.tolerances);
+        viscosity_system_ = std::make_unique<ViscositySystem>(system_context(), pressure_system_, parameters_.tolerances);
     if (const auto* flow = std::get_if<FlowDrive>(&parameters_.drive))
         flow_control_ =
             std::make_unique<FlowControl>(system_context(), *flow, pressure_system_, parameters_.tolerances, parameters_.viscosity);

@@ -4,9 +4,6 @@
 #include "physics/steps/krylov_job.hpp"
 
 namespace physics {
-namespace {
-
-/// Tells the solver the largest magnitude of a right-hand side, over all ranks.
 tasks::Job announce_right(tasks::Lane& lane, SevenPointSolver& solver, std::span<const double> right)
 {
     double largest = 0.0;
@@ -14,8 +11,6 @@ tasks::Job announce_right(tasks::Lane& lane, SevenPointSolver& solver, std::span
     co_await lane.max(std::span(&largest, 1));
     solver.expect_right(largest);
 }
-
-} // namespace
 
 tasks::Job run_steps(tasks::Lane& lane, Multigrid& multigrid, std::span<const MultigridStep> steps)
 {

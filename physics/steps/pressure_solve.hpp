@@ -24,6 +24,9 @@ tasks::Job apply(tasks::Lane& lane, SevenPointSolver& solver, std::span<double> 
 /// out = one V-cycle for the right-hand side `in`.
 tasks::Job precondition(tasks::Lane& lane, SevenPointSolver& solver, std::span<const double> in, std::span<double> out);
 
+/// Tells the solver the largest magnitude of right-hand sides to come, over all ranks.
+tasks::Job announce_right(tasks::Lane& lane, SevenPointSolver& solver, std::span<const double> right);
+
 /// The 7-point system by flexible conjugate gradients.
 /// @param right  Its mean is removed if the system is singular.
 /// @param x      First guess in, solution out.

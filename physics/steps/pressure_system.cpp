@@ -14,7 +14,7 @@ PressureSystem::PressureSystem(const SystemContext& context, const core::Communi
                              [&](const core::Boundary& boundary) {
                                  return context.walls[std::size_t(context.mesh.local(boundary.block))].at(boundary.side).gives_pressure();
                              })),
-      link_faces_(link_faces(context.mesh, links_)),
+      link_faces_(physics::link_faces(context.mesh, links_)),
       solver_(links_.topology, {.singular = !context.pressure_is_given}, ranks),
       unknown_(context, solver_.layout(), "pressure change"),
       coefficients_({"mobile transmissibility", "", 0, false}, context.mesh.own_cells()),

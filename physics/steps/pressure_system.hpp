@@ -38,6 +38,10 @@ public:
 
     [[nodiscard]] const KrylovReport& report() const { return report_; }
     [[nodiscard]] const BlockLayout& layout() const { return solver_.layout(); }
+    /// Grids and links, for other equations on the same mesh.
+    [[nodiscard]] const SevenPointSolver& solver() const { return solver_; }
+    [[nodiscard]] const MeshLinks& links() const { return links_; }
+    [[nodiscard]] std::span<const LinkFace> link_faces() const { return link_faces_; }
 
     tasks::Job apply(tasks::Lane& lane, std::span<const double> in, std::span<double> out);
     tasks::Job precondition(tasks::Lane& lane, std::span<const double> in, std::span<double> out);

@@ -18,18 +18,19 @@ core::FieldInfo scratch(const char* name, int halo) { return {name, "", halo, fa
 
 } // namespace
 
-ScalarDiffusion::ScalarDiffusion(const SystemContext& context, const BlockLayout& layout)
+ScalarDiffusion::ScalarDiffusion(const SystemContext& context, const PressureSystem& pressure)
     : context_(context),
-      layout_(layout),
-      workspace_(layout, context.mesh.blocks(), std::ptrdiff_t(context.mesh.total_cells())),
+      layout_(pressure.layout()),
+      workspace_(layout_, context.mesh.blocks(), std::ptrdiff_t(context.mesh.total_cells())),
       change_(scratch("change of a scalar", 1), context.mesh.own_cells()),
       inflow_(scratch("diffusive inflow of a scalar", 0), context.mesh.own_cells()),
       diagonal_(scratch("diagonal of diffusion", 0), context.mesh.own_cells()),
       right_(scratch("right-hand side of a scalar", 0), context.mesh.own_cells()),
       gradient_(scratch("gradient of a diffusing scalar", 1), context.mesh.own_cells()),
       flux_(scratch("diffusive flux of a scalar", 0), context.mesh.own_cells()),
-      residual_(layout.size(), 0.0),
-      solution_(layout.size(), 0.0)
+      residual_(layout_.size(), 0.0),
+      solution_(layout_.size(), 0.0),
+      multigrid_(context, pressure)
 {
     for (core::ScalarField* field : {&change_, &inflow_, &diagonal_, &right_}) field->allocate();
     gradient_.allocate();
@@ -70,8 +71,8 @@ tasks::Job ScalarDiffusion::choose_share(tasks::Lane& lane)
     });
     double rate = 0;
     co_await find_largest_rate(lane, context_.mesh, diagonal_, equation_->capacity, rate);
-    const double number = equation_->dt * rate;
-    implicit_ = number > 2 ? 1 - 1 / number : 0.5; // old values then keep a weight that is not negative
+    number_ = equation_->dt * rate;
+    implicit_ = number_ > 2 ? 1 - 1 / number_ : 0.5; // old values then keep a weight that is not negative
 }
 
 tasks::Job ScalarDiffusion::apply(tasks::Lane& lane, std::span<const double> in, std::span<double> out)
@@ -89,8 +90,37 @@ tasks::Job ScalarDiffusion::apply(tasks::Lane& lane, std::span<const double> in,
     });
 }
 
+tasks::Job ScalarDiffusion::prepare_multigrid(tasks::Lane& lane)
+{
+    if (!DiffusionMultigrid::pays(number_)) co_return;
+    multigrid_.prepare();
+    for_blocks(lane, [&](core::LocalBlock b) {
+        const auto [factor, shift] = multigrid_.parts(b);
+        const double now = implicit_ * equation_->dt;
+        map_faces(
+            factor, [now](double d) { return now * d; }, equation_->diffusivity.on(b));
+        map_cells(
+            shift, [](double w, double v) { return w * v; }, equation_->capacity.on(b), geometry(b).volume.view());
+        if (equation_->free) // cells whose value is given hold their neighbours
+            map_cells(
+                shift, [held = 1e3 * number_](double wv, double free) { return free > 0 ? wv : held * wv; }, shift, equation_->free->on(b));
+    });
+    co_await multigrid_.set_up(lane);
+    co_await multigrid_.expect_right(lane, residual_);
+}
+
 tasks::Job ScalarDiffusion::precondition(tasks::Lane& lane, std::span<const double> in, std::span<double> out)
 {
+    if (DiffusionMultigrid::pays(number_)) {
+        co_await multigrid_.precondition(lane, in, out);
+        for_blocks(lane, [&](core::LocalBlock b) {
+            if (!equation_->free) return;
+            map_cells(
+                layout_.view(b, out), [](double x, double free, double r, double w, double v) { return free > 0 ? x : r / (w * v); },
+                part(b, out), equation_->free->on(b), part(b, in), equation_->capacity.on(b), geometry(b).volume.view());
+        });
+        co_return;
+    }
     for_blocks(lane, [&](core::LocalBlock b) {
         map_cells(
             layout_.view(b, out),
@@ -137,6 +167,7 @@ tasks::Job ScalarDiffusion::solve(tasks::Lane& lane, DiffusionEquation equation,
     options.unknown = "scalar";
     std::fill(solution_.begin(), solution_.end(), 0.0);
     KrylovReport report;
+    co_await prepare_multigrid(lane);
     co_await drive(lane, bicgstab(lane.team(), workspace_, options, residual_, solution_, report), *this);
     for_blocks(lane, [&](core::LocalBlock b) {
         map_cells(

@@ -4,7 +4,7 @@
 // Implicit diffusion of a scalar, and what consumes it: V (w + dt s) q' - dt share div(D grad q') = V source + dt (1 - share)
 // div(D grad q). Nothing diffuses through boundaries.
 #include "physics/fluid/krylov.hpp"
-#include "physics/steps/unknown.hpp"
+#include "physics/steps/diffusion_multigrid.hpp"
 
 namespace physics {
 
@@ -20,8 +20,8 @@ struct DiffusionEquation {
 
 class ScalarDiffusion {
 public:
-    /// @param layout  Of the flat vectors; must outlive the system. Collective.
-    ScalarDiffusion(const SystemContext& context, const BlockLayout& layout);
+    /// @param pressure  Whose flat vectors and grids are used; must outlive the system. Collective.
+    ScalarDiffusion(const SystemContext& context, const PressureSystem& pressure);
 
     /// Half of the diffusion takes the old values where that keeps them in their range, less where steps are too long for that: so
     /// it is second order in time for short steps, and nothing rings after long ones.
@@ -37,6 +37,8 @@ public:
 private:
     tasks::Job form_inflow(tasks::Lane& lane, core::ScalarField& q);
     tasks::Job choose_share(tasks::Lane& lane);
+    /// The V-cycle, where it pays.
+    tasks::Job prepare_multigrid(tasks::Lane& lane);
     tasks::Job form_right(tasks::Lane& lane, core::ScalarField& q);
     [[nodiscard]] const core::BlockGeometry& geometry(core::LocalBlock b) const { return context_.mesh.geometry(b); }
     [[nodiscard]] core::View<const double> part(core::LocalBlock b, std::span<const double> values) const
@@ -57,7 +59,9 @@ private:
     core::FaceField flux_;
     std::vector<double> residual_, solution_;
     const DiffusionEquation* equation_ = nullptr; ///< that is being solved
-    double implicit_ = 1.0;                       ///< share of the new values
+    DiffusionMultigrid multigrid_;
+    double number_ = 0.0;   ///< largest exchange of a cell in the step over its capacity
+    double implicit_ = 1.0; ///< share of the new values
     int products_ = 0;
 };
 

@@ -68,7 +68,7 @@ ScalarStep::ScalarStep(const core::Mesh& mesh, FluidStep& fluid, const std::vect
     }
     if (coupling) agreement_ = std::make_unique<Agreement>(mesh, fluid, ranks);
     if (std::none_of(parameters_.begin(), parameters_.end(), [](const auto& s) { return s.diffusivity > 0; })) return;
-    diffusion_ = std::make_unique<ScalarDiffusion>(fluid.system_context(), fluid.pressure_system().layout());
+    diffusion_ = std::make_unique<ScalarDiffusion>(fluid.system_context(), fluid.pressure_system());
     diffusivity_.allocate();
     source_.allocate();
 }

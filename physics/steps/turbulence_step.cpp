@@ -53,7 +53,7 @@ TurbulenceStep::TurbulenceStep(const core::Mesh& mesh, FluidStep& fluid, const T
       clock_("fluid clock", fluid.state().clock),
       halos_(fluid.system_context().halos),
       carrier_(fluid.system_context()),
-      diffusion_(fluid.system_context(), fluid.pressure_system().layout())
+      diffusion_(fluid.system_context(), fluid.pressure_system())
 {
     core::require<core::ConfigError>(fluid.parameters().viscosity > 0,
                                      "turbulence needs a fluid with viscosity: the layers at walls follow from it");

@@ -19,20 +19,21 @@ core::VectorField gradient_field(const core::Mesh& mesh) { return {{"gradient of
 
 } // namespace
 
-ViscositySystem::ViscositySystem(const SystemContext& context, const BlockLayout& layout, const FluidTolerances& tolerances)
+ViscositySystem::ViscositySystem(const SystemContext& context, const PressureSystem& pressure, const FluidTolerances& tolerances)
     : context_(context),
       tolerances_(tolerances),
-      layout_(layout),
-      workspace_(layout, context.mesh.blocks(), std::ptrdiff_t(context.mesh.total_cells())),
-      unknown_(context, layout, "velocity change"),
+      layout_(pressure.layout()),
+      workspace_(layout_, context.mesh.blocks(), std::ptrdiff_t(context.mesh.total_cells())),
+      unknown_(context, layout_, "velocity change"),
       transmissibility_sum_({"transmissibility sum", "m", 0, false}, context.mesh.own_cells()),
       reciprocal_({"reciprocal of the diagonal", "1/m3", 0, false}, context.mesh.own_cells()),
       residual_({"residual of implicit velocity", "m4/s", 0, false}, context.mesh.own_cells()),
       gradient_{gradient_field(context.mesh), gradient_field(context.mesh), gradient_field(context.mesh)},
       flux_({"flux of implicit velocity", "m3/s", 0, false}, context.mesh.own_cells()),
-      right_(layout.size(), 0.0),
-      solution_(layout.size(), 0.0),
-      sums_(3 * std::size_t(context.mesh.blocks()))
+      right_(layout_.size(), 0.0),
+      solution_(layout_.size(), 0.0),
+      sums_(3 * std::size_t(context.mesh.blocks())),
+      multigrid_(context, pressure)
 {
     transmissibility_sum_.allocate();
     reciprocal_.allocate();
@@ -61,12 +62,56 @@ tasks::Job ViscositySystem::apply(tasks::Lane& lane, std::span<const double> in,
 
 tasks::Job ViscositySystem::precondition(tasks::Lane& lane, std::span<const double> in, std::span<double> out)
 {
+    if (by_multigrid_) {
+        co_await multigrid_.precondition(lane, in, out);
+        co_return;
+    }
     unknown_.for_blocks(lane, [&](core::LocalBlock b) {
         map_cells(
             layout_.view(b, out), [](double r, double d) { return r * d; },
             core::View<const double>(in.data() + layout_.origin(b), layout_.cells(b), 0), reciprocal_.on(b));
     });
     co_return;
+}
+
+/// V-cycles where viscosity reaches across many cells in the step: Jacobi's preconditioner takes as many iterations.
+tasks::Job ViscositySystem::choose_preconditioner(tasks::Lane& lane)
+{
+    double number = 0;
+    for (core::LocalBlock b = 0; b < context_.mesh.own_count(); ++b)
+        core::for_each_cell(context_.mesh.geometry(b).cells, [&](int i, int j, int k) {
+            number = std::max(number, diffusion_ * transmissibility_sum_.on(b)(i, j, k) / context_.mesh.geometry(b).volume(i, j, k));
+        });
+    co_await lane.max(std::span(&number, 1));
+    by_multigrid_ = DiffusionMultigrid::pays(number);
+    if (!by_multigrid_) co_return;
+    multigrid_.prepare();
+    unknown_.for_blocks(lane, [&](core::LocalBlock b) {
+        const auto [factor, shift] = multigrid_.parts(b);
+        for (int axis = 0; axis < 3; ++axis)
+            map_cells(
+                factor.along(axis), [d = diffusion_](double) { return d; }, factor.along(axis));
+        scale_flux(context_.viscosity_factors(b), factor);
+        map_cells(
+            shift, [](double volume) { return volume; }, context_.mesh.geometry(b).volume.view());
+        add_given_values(b, factor, shift);
+    });
+    co_await multigrid_.set_up(lane);
+}
+
+/// Walls and inflows hold the velocity of the cells beside them.
+void ViscositySystem::add_given_values(core::LocalBlock b, core::FaceView<const double> factor, core::View<double> shift) const
+{
+    const auto& geometry = context_.mesh.geometry(b);
+    for (const core::Side side : core::all_sides) {
+        const BlockSide& at = context_.walls[std::size_t(b)].at(side);
+        if (!at.gives_flux() || at.slips()) continue;
+        const int axis = core::axis_of(side);
+        for_each_side_face(geometry.cells, side, [&](int i, int j, int k) {
+            const core::Index3 c = cell_at_face({i, j, k}, side);
+            shift(c.i, c.j, c.k) += geometry.face[std::size_t(axis)].transmissibility(i, j, k) * factor.along(axis)(i, j, k);
+        });
+    }
 }
 
 tasks::Job ViscositySystem::form_residual(tasks::Lane& lane, const core::VectorField& change, core::VectorField& velocity, Norms& norms)
@@ -146,6 +191,7 @@ tasks::Job ViscositySystem::solve(tasks::Lane& lane, double diffusion, core::Vec
         if (!done && !(norms.residual <= slow * before.residual)) break; // nor if it is not a number
     }
     if (done) co_return;
+    co_await choose_preconditioner(lane);
     KrylovOptions options;
     options.relative = 0;
     options.absolute = target / std::sqrt(3.0);
@@ -173,6 +219,7 @@ tasks::Job ViscositySystem::solve_component(tasks::Lane& lane, int component, co
             layout_.view(b, right_), [](double r) { return r; }, residual_.on(b).component(component));
     });
     KrylovReport report;
+    if (by_multigrid_) co_await multigrid_.expect_right(lane, right_);
     co_await drive(lane, bicgstab(lane.team(), workspace_, options, right_, solution_, report), *this);
     iterations_ += 2 * report.iterations;
     unknown_.for_blocks(lane, [&](core::LocalBlock b) {

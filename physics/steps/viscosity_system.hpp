@@ -4,16 +4,17 @@
 // The equation of implicit viscosity, u = w + share dt nu Laplacian u, for all components of a velocity.
 #include "physics/fluid/krylov.hpp"
 #include "physics/fluid/parameters.hpp"
-#include "physics/steps/unknown.hpp"
+#include "physics/steps/diffusion_multigrid.hpp"
 
 namespace physics {
 
 class ViscositySystem {
 public:
-    /// @param layout  Of the flat vectors; must outlive the system. Collective.
-    ViscositySystem(const SystemContext& context, const BlockLayout& layout, const FluidTolerances& tolerances);
+    /// @param pressure  Whose flat vectors and grids are used; must outlive the system. Collective.
+    ViscositySystem(const SystemContext& context, const PressureSystem& pressure, const FluidTolerances& tolerances);
 
-    /// Jacobi's iteration, which suffices where little diffuses from cell to cell in a step; where it is slow, BiCGSTAB goes on.
+    /// Jacobi's iteration, which suffices where little diffuses from cell to cell in a step; where it is slow, BiCGSTAB goes on, with
+    /// V-cycles where viscosity is stiff.
     /// @param diffusion  share * dt * viscosity [m2].
     /// @param velocity   w in, u out [m/s].
     /// @param change     First guess of u - w in, u - w out [m/s].
@@ -35,6 +36,9 @@ private:
     tasks::Job solve_component(tasks::Lane& lane, int component, const KrylovOptions& options, core::VectorField& velocity,
                                core::VectorField& change);
 
+    tasks::Job choose_preconditioner(tasks::Lane& lane);
+    void add_given_values(core::LocalBlock b, core::FaceView<const double> factor, core::View<double> shift) const;
+
     SystemContext context_;
     FluidTolerances tolerances_;
     const BlockLayout& layout_;
@@ -45,6 +49,8 @@ private:
     std::array<core::VectorField, 3> gradient_; ///< of the components
     core::FaceField flux_;
     std::vector<double> right_, solution_, sums_;
+    DiffusionMultigrid multigrid_;
+    bool by_multigrid_ = false; ///< the equation that is being solved
     double diffusion_ = 0;
     int component_ = 0; ///< that is being solved for
     int iterations_ = 0;

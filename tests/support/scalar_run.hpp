@@ -37,9 +37,9 @@ public:
           filler_(mesh_, ranks_),
           walls_(physics::make_walls(mesh_, boundaries)),
           set_(mesh_, {{.name = "dye"}}),
-          layout_(mesh_.own(), mesh_.own_cells(), 0),
+          pressure_({mesh_, walls_, filler_}, ranks_, physics::FluidTolerances()),
           carrier_({mesh_, walls_, filler_}),
-          diffusion_({mesh_, walls_, filler_}, layout_),
+          diffusion_({mesh_, walls_, filler_}, pressure_),
           flux_({"flux", "m3/s", 0, false}, mesh_.own_cells()),
           diffusivity_({"diffusivity", "m2/s", 0, false}, mesh_.own_cells()),
           source_({"source", "", 0, false}, mesh_.own_cells())
@@ -115,7 +115,7 @@ private:
     tasks::ExchangeFiller filler_;
     std::vector<physics::BlockWalls> walls_;
     physics::ScalarSet set_;
-    physics::BlockLayout layout_;
+    physics::PressureSystem pressure_;
     physics::ScalarCarrier carrier_;
     physics::ScalarDiffusion diffusion_;
     core::FaceField flux_, diffusivity_;

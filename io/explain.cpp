@@ -75,18 +75,19 @@ std::vector<KeyEntry> all_keys()
 std::string explain(const std::string& key)
 {
     const auto keys = all_keys();
-    std::string text;
+    std::string whole, text; // the path that was asked for goes first
     std::vector<std::string> names;
     for (const auto& entry : keys) {
         names.push_back(last_step(entry.path));
         names.push_back(entry.path);
         if (!key.empty() && !means(key, entry.path)) continue;
-        text += text_of(entry);
+        std::string& to = entry.path == key ? whole : text;
+        to += text_of(entry);
         if (key.empty() || !entry.is_group()) continue;
         for (const auto& inner : keys)
-            if (inner.path.starts_with(entry.path + ".")) text += text_of(inner);
+            if (inner.path.starts_with(entry.path + ".")) to += text_of(inner);
     }
-    if (!text.empty()) return text;
+    if (!whole.empty() || !text.empty()) return whole + text;
     const std::string near = nearest(key, names);
     throw core::ConfigError(fmt::format("there is no key '{}'; {}", key,
                                         near.empty() ? "`isago explain` shows all keys" : fmt::format("did you mean '{}'?", near)));

@@ -77,7 +77,7 @@ struct Near {
 } // namespace
 
 GrainTraffic::GrainTraffic(const Scene& scene, const core::Domain& domain, std::int64_t grains)
-    : domain_(domain), walls_(primitive_walls(scene.grid)), seed_(std::uint64_t(scene.run.random_seed))
+    : domain_(domain), walls_(walls_at_start(scene, domain)), seed_(std::uint64_t(scene.run.random_seed))
 {
     for (std::size_t n = 0; n < scene.particles.size(); ++n)
         if (scene.particles[n].inflow) {

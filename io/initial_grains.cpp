@@ -41,10 +41,10 @@ Spheres placed(const Scene& scene, const core::Domain& domain)
     if (initial == nullptr) return {};
     const auto seed = std::uint64_t(scene.run.random_seed);
     switch (initial->arrangement) {
-    case Arrangement::random: return physics::place_at_random(domain, primitive_walls(scene.grid), groups, seed);
-    case Arrangement::lattice: return physics::place_on_lattice(domain, primitive_walls(scene.grid), groups, seed);
+    case Arrangement::random: return physics::place_at_random(domain, walls_at_start(scene, domain), groups, seed);
+    case Arrangement::lattice: return physics::place_on_lattice(domain, walls_at_start(scene, domain), groups, seed);
     case Arrangement::packed: return physics::place_packed(domain, groups, initial->spacing, seed);
-    case Arrangement::dense: return physics::place_densely(domain, primitive_walls(scene.grid), groups, seed);
+    case Arrangement::dense: return physics::place_densely(domain, walls_at_start(scene, domain), groups, seed);
     }
     return {};
 }
@@ -75,7 +75,7 @@ void relax(const Scene& scene, const core::Domain& domain, Spheres& all)
     std::vector<physics::Region> of_species, regions;
     for (const Species& s : scene.particles) of_species.push_back(s.initial.region.region(domain));
     for (const core::Sphere& s : all) regions.push_back(of_species[std::size_t(s.species)]);
-    physics::relax_overlaps(domain, primitive_walls(scene.grid), regions, all);
+    physics::relax_overlaps(domain, walls_at_start(scene, domain), regions, all);
 }
 
 } // namespace

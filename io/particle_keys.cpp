@@ -64,7 +64,7 @@ void describe(Schema& s, Contact& p)
     s.value("friction", p.friction, "1", "Coulomb coefficient between particles and with walls", not_negative);
     s.value("tangential_ratio", p.tangential_ratio, "1", "Tangential over normal stiffness", between(0.0, 1.0));
     s.value("steps_per_contact", p.steps_per_contact, "", "Sub-steps in the shortest collision", at_least(10));
-    s.value("walls", "Walls that particles meet: the faces of boundary cells, or the exact pipe or box",
+    s.value("walls", "What particles meet at the boundary of the grid: the faces of its cells, the exact pipe or box, or nothing",
             choice_of(p.walls, wall_shape_words));
 }
 

@@ -25,8 +25,8 @@ inline constexpr std::array<std::string_view, 2> overlaps_words{"keep", "relax"}
 enum class ContactLaw { linear };
 inline constexpr std::array<std::string_view, 1> contact_law_words{"linear"};
 
-enum class WallShape { faces, primitive };
-inline constexpr std::array<std::string_view, 2> wall_shape_words{"faces", "primitive"};
+enum class WallShape { faces, primitive, none };
+inline constexpr std::array<std::string_view, 3> wall_shape_words{"faces", "primitive", "none"};
 
 /// Where the particles of a species are at the start.
 struct Initial {

@@ -5,6 +5,7 @@
 #include "io/coupling_keys.hpp"
 #include "io/fluid_keys.hpp"
 #include "io/particle_keys.hpp"
+#include "io/wall_keys.hpp"
 
 namespace io {
 
@@ -51,6 +52,7 @@ struct Scene {
     std::vector<Species> particles;
     std::vector<Outlet> outlets;
     std::optional<Contact> contact;
+    std::vector<WallKeys> walls;      ///< Beside those of the grid.
     std::optional<Coupling> coupling; ///< Present when there are both fluid and particles.
     Run run;
     Output output;

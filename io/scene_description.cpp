@@ -50,6 +50,7 @@ void describe(Schema& s, Scene& p)
     s.list("particles", p.particles, "Species of spheres; without them, the fluid is alone");
     s.list("outlets", p.outlets, "Regions in which particles are taken away");
     s.group("contact", p.contact, "How particles collide; needed when there are particles");
+    s.list("walls", p.walls, "Walls that particles meet beside those of the grid; they may move");
     s.group("coupling", p.coupling, "How fluid and particles act on each other");
     s.required_group("run", p.run, "How long the run is, and its steps");
     s.group("output", p.output, "What is written, and when");

@@ -51,6 +51,7 @@ void read_particle_files(Scene& scene, const std::filesystem::path& folder, Loca
 /// Finds mistakes that only several keys together show; says nothing about values that could not be read.
 void check_boundaries(const Scene& scene, const Locations& locations, Problems& problems);
 void check_particles(const Scene& scene, const Locations& locations, Problems& problems);
+void check_walls(const Scene& scene, const Locations& locations, Problems& problems);
 void check_scene(const Scene& scene, const Locations& locations, Problems& problems);
 
 } // namespace io

@@ -141,7 +141,7 @@ void World::declare()
         graph_.whole(
             "move grains",
             [this](tasks::Lane& lane, physics::ParticleDynamics&) {
-                return physics::move_grains(lane, *stepper_, physics::DryMotion{gravity_of(scene_)}, sub_steps_);
+                return physics::move_grains(lane, *stepper_, physics::DryMotion{gravity_of(scene_)}, sub_steps_, time());
             },
             tasks::updates(*dry_grains_));
         graph_.sink(*dry_grains_);

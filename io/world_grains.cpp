@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/world_grains.hpp"
 #include "core/base/error.hpp"
-#include "core/grid/surface.hpp"
 #include "io/grid_builder.hpp"
 #include "io/physics_builder.hpp"
+#include "io/world_walls.hpp"
 #include "physics/coupling/bed_stiffness.hpp"
 #include "physics/particles/time_step.hpp"
 #include <algorithm>
@@ -25,15 +25,6 @@ double sub_step(const Scene& scene, double lightest, const physics::ParticlePara
     return physics::choose_step(limits, limits.contact_time / scene.contact->steps_per_contact);
 }
 
-/// The boundary of the mesh, continued through its periods by more than any particle reaches.
-physics::WallSurface wall_surface(double largest, const core::Mesh& mesh, const core::Domain& domain)
-{
-    constexpr double smooth_angle = 0.6; // [rad]; a pipe of 12 faces or more is round, the edges of a box are sharp
-    core::Surface surface = core::boundary_surface(mesh, wall_names(mesh), 2 * largest);
-    for (core::Vec3& x : surface.vertices) x -= domain.origin;
-    return {surface.vertices, surface.quads, smooth_angle};
-}
-
 physics::MagnusLaw magnus_law(MagnusLaw chosen)
 {
     switch (chosen) {
@@ -51,11 +42,11 @@ bool wanted(Switch choice, bool otherwise) { return choice == Switch::automatic 
 physics::ParticleDynamics make_dynamics(const Scene& scene, const GrainCensus& census, const core::Mesh& mesh)
 {
     const physics::ParticleParameters parameters = particle_parameters(scene);
-    const bool faces = scene.contact->walls == WallShape::faces;
-    physics::ParticleDynamics dynamics(make_domain(scene.grid), parameters,
-                                       faces ? std::vector<physics::Wall>{} : primitive_walls(scene.grid),
-                                       sub_step(scene, census.lightest, parameters));
-    if (faces) dynamics.set_surface(wall_surface(census.largest, mesh, dynamics.domain()));
+    const core::Domain domain = make_domain(scene.grid);
+    const double step = sub_step(scene, census.lightest, parameters);
+    require_slow_walls(scene.walls, census.smallest, domain, step);
+    physics::ParticleDynamics dynamics(domain, parameters, primitive_walls(scene, domain), step);
+    if (scene.contact->walls == WallShape::faces) dynamics.set_surface(grid_surface(census.largest, mesh, domain));
     return dynamics;
 }
 

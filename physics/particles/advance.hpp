@@ -17,10 +17,11 @@ inline void drive(ParticleStepper& stepper, const core::Team& team, const core::
 }
 
 /// Runs `sub_steps` sub-steps of all particles and waits for them. The communicator must have messages of its own.
+/// @param time  At their beginning [s]; without it walls stand as at t = 0.
 inline void settle(ParticleStepper& stepper, const Motion& motion, int sub_steps, const core::Team& team,
-                   const core::Communicator& communicator)
+                   const core::Communicator& communicator, std::optional<double> time = {})
 {
-    stepper.begin(motion, sub_steps);
+    stepper.begin(motion, sub_steps, time);
     drive(stepper, team, communicator);
 }
 
@@ -32,10 +33,10 @@ inline void hand_over(ParticleStepper& stepper, const core::Team& team, const co
 }
 
 /// The same on one rank.
-inline void settle(ParticleDynamics& dynamics, const Motion& motion, int sub_steps, const core::Team& team)
+inline void settle(ParticleDynamics& dynamics, const Motion& motion, int sub_steps, const core::Team& team, std::optional<double> time = {})
 {
     ParticleStepper stepper(dynamics, {}, 0, 1);
-    settle(stepper, motion, sub_steps, team, core::Communicator::self());
+    settle(stepper, motion, sub_steps, team, core::Communicator::self(), time);
 }
 
 } // namespace physics

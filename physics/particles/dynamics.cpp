@@ -56,6 +56,14 @@ void ParticleDynamics::set_reach(double radius)
     near_skin_ = parameters_.near_skin > 0 ? std::min(parameters_.near_skin, skin_) : usual_near_skin * radius;
 }
 
+void ParticleDynamics::move_walls(int sub_step)
+{
+    const WallTime at{begin_ ? std::optional(*begin_ + (sub_step + 0.5) * step_) : std::nullopt, 0.5 * step_};
+    walls_.move_to(at);
+    wall_way_ = walls_.way(extent_);
+    near_wall_way_ = walls_.near_way(extent_);
+}
+
 double ParticleDynamics::start(const core::Team& team)
 {
     const double speed2 = drift_all(particles, 0.5 * step_, team);
@@ -88,7 +96,7 @@ double ParticleDynamics::displacement() const
 
 bool ParticleDynamics::keep_lists(double greatest_displacement)
 {
-    if (!built_ || 2.0 * greatest_displacement >= 0.8 * skin_) return false;
+    if (!built_ || 2.0 * (greatest_displacement + wall_way_) >= 0.8 * skin_) return false;
     travelled_ = greatest_displacement;
     return true;
 }
@@ -143,6 +151,8 @@ void ParticleDynamics::sort(const core::Bounds& bounds, const core::Octaves& gre
 {
     const double radius = small_radius(greatest, count);
     set_reach(radius);
+    const core::Vec3 around = core::Vec3::Constant(*std::max_element(greatest.begin(), greatest.end()) + skin_);
+    extent_ = {bounds.low - around, bounds.high + around};
     const core::SizeLevels sizes(greatest);
     bins_ = core::make_level_bins(domain_, bounds, sizes, skin_, std::int64_t(std::accumulate(count.begin(), count.end(), 0.0)));
     const auto order = core::order_by_bin(particles, bins_.lattice[std::size_t(sizes.level_of(radius))]);
@@ -154,7 +164,7 @@ void ParticleDynamics::build(const core::Team& team)
 {
     cells_.build(particles, bins_);
     pairs_.build(particles, cells_, skin_, history, team);
-    walls_.build(particles, 0.5 * skin_, history); // walls do not come closer themselves
+    walls_.build(particles, 0.5 * skin_, history); // half: what walls do themselves is in wall_way_
     if (!surface_.empty()) surface_.build(particles, 0.5 * skin_, 0.5 * near_skin_, history);
     forces_.resize(index_of(pairs_.size()), pair_laws_);
     records_.resize(particles.size());
@@ -163,7 +173,7 @@ void ParticleDynamics::build(const core::Team& team)
         reference_[a].assign(particles.position[a].begin(), particles.position[a].begin() + particles.owned);
     built_ = true;
     near_built_ = false;
-    travelled_ = 0.0;
+    travelled_ = wall_way_ = 0.0;
     planned_threads_ = 0;
 }
 
@@ -178,10 +188,10 @@ void ParticleDynamics::refresh_near(const core::Team& team)
 {
     return_springs(team);
     near_.refresh(particles, pairs_, shifts_, near_skin_, team);
-    walls_.refresh(particles, 0.5 * near_skin_, team); // walls do not come closer themselves
+    walls_.refresh(particles, 0.5 * near_skin_, team);
     if (!surface_.empty()) surface_.refresh(particles, team);
     near_built_ = true;
-    near_travelled_ = 0.0;
+    near_travelled_ = near_wall_way_ = 0.0;
 }
 
 void ParticleDynamics::measure_watched(const core::Team& team)
@@ -245,7 +255,7 @@ double ParticleDynamics::advance_as(const M& motion, const core::Team& team, con
 double ParticleDynamics::advance(const Motion& motion, const core::Team& team, int sub_step, int sub_steps)
 {
     if (particles.owned == 0) return 0.0;
-    if (!near_built_ || 2.0 * near_travelled_ >= near_skin_) refresh_near(team);
+    if (!near_built_ || 2.0 * (near_travelled_ + near_wall_way_) >= near_skin_) refresh_near(team);
     if (planned_threads_ != team.threads()) plan_segments(team.threads());
     const double half = 0.5 * step_;
     const DriftTimes times{step_, half, sub_step + 1 < sub_steps ? half : 0.0};

@@ -32,6 +32,10 @@ public:
     /// @pre no batch of sub-steps has been begun
     void set_step(double step);
 
+    /// Says when the sub-steps of the next batch are. @param time  At its beginning [s]; without it walls stand as at t = 0.
+    void begin(std::optional<double> time) { begin_ = time; }
+    /// Brings the walls to where they are when the forces of `sub_step` act.
+    void move_walls(int sub_step);
     /// First half drift of a batch of sub-steps. @returns the greatest square of speed of this rank [m2/s2].
     double start(const core::Team& team);
     /// One sub-step of all owned particles. Half a drift follows the kick, a whole one unless it is the `last` of the batch.
@@ -42,7 +46,7 @@ public:
     /// Books the way that the fastest particle may have gone. @param speed2  Greatest square of speed of all ranks [m2/s2].
     void account(double speed2, double time);
     /// True when some pair outside the lists might touch, judged by speeds; the same answer on all ranks.
-    [[nodiscard]] bool needs_check() const { return !built_ || 2.0 * travelled_ >= skin_; }
+    [[nodiscard]] bool needs_check() const { return !built_ || 2.0 * (travelled_ + wall_way_) >= skin_; }
     /// Greatest true displacement of an owned particle since the last rebuild [m].
     [[nodiscard]] double displacement() const;
     /// Goes on with the lists if the greatest displacement of all ranks allows. @returns false if a rebuild must follow.
@@ -100,6 +104,9 @@ private:
     core::Triple reference_; // positions at the last rebuild
     bool built_ = false, near_built_ = false;
     double travelled_ = 0.0, near_travelled_ = 0.0;
+    std::optional<double> begin_; // time at the beginning of the batch
+    core::Bounds extent_;         // of all that can meet a wall before the next rebuild
+    double wall_way_ = 0.0, near_wall_way_ = 0.0;
     std::vector<int> segments_;  // chunks [segments_[s], segments_[s + 1]) run one after the other
     std::vector<char> deferred_; // chunks that other segments' pairs touch: moved when all pairs are done
     int planned_threads_ = 0;

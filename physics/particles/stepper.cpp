@@ -35,8 +35,9 @@ ParticleStepper::ParticleStepper(ParticleDynamics& dynamics, const ParticleStepp
 {
 }
 
-void ParticleStepper::begin(const Motion& motion, int sub_steps)
+void ParticleStepper::begin(const Motion& motion, int sub_steps, std::optional<double> time)
 {
+    dynamics_.begin(time);
     motion_ = motion;
     sub_steps_ = sub_steps;
     sub_step_ = -1;
@@ -108,7 +109,10 @@ void ParticleStepper::after_speeds(const core::Team& team)
     if (sub_step_ == sub_steps_) {
         sub_steps_ = 0;
         wait_ = Wait::nothing;
-    } else if (dynamics_.needs_check()) {
+        return;
+    }
+    dynamics_.move_walls(sub_step_);
+    if (dynamics_.needs_check()) {
         shared_[0] = dynamics_.displacement();
         wait_ = Wait::displacement;
     } else sub_step(team);

@@ -26,7 +26,8 @@ public:
     ParticleStepper(ParticleDynamics& dynamics, const ParticleStepper& like);
 
     /// Starts a batch of `sub_steps` sub-steps; no messages.
-    void begin(const Motion& motion, int sub_steps);
+    /// @param time  At its beginning [s]; without it walls stand as at t = 0.
+    void begin(const Motion& motion, int sub_steps, std::optional<double> time = {});
     /// Starts bringing every particle to the rank that owns the place where it lies, in a periodic domain back inside; no
     /// messages. Lists and ghosts are dropped. @pre the batch is finished
     void hand_over();

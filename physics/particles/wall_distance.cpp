@@ -18,7 +18,8 @@ WallDistance distance_from(const CylinderWall& wall, const core::Vec3& x)
     const core::Vec3 axis = wall.axis.normalized(), from = x - wall.point;
     const core::Vec3 across = from - from.dot(axis) * axis;
     const double r = across.norm();
-    return {wall.radius - r, r > 0 ? core::Vec3(-across / r) : core::Vec3(core::Vec3::Zero())};
+    const double side = wall.particles == CylinderSide::inside ? 1.0 : -1.0;
+    return {side * (wall.radius - r), r > 0 ? core::Vec3(-side * across / r) : core::Vec3(core::Vec3::Zero())};
 }
 
 double clearance(const std::vector<Wall>& walls, const core::Vec3& centre, double radius)

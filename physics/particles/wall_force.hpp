@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// The contact of a particle with a wall that does not move, from where they meet to the force.
+// The contact of a particle with a wall, from where they meet to the force.
 #include "physics/particles/force_sums.hpp"
 
 namespace physics {
@@ -72,6 +72,24 @@ struct SumColumns {
     in.ux = p.wx[i];
     in.uy = p.wy[i];
     in.uz = p.wz[i];
+    return in;
+}
+
+/// A meeting with a wall that moves: the velocity of its surface there half a step ago [m/s], and its spin [1/s].
+struct MovingMeeting : WallMeeting {
+    double ux, uy, uz, ox, oy, oz;
+};
+
+[[gnu::always_inline]] inline ContactInput wall_input(const ParticleColumns& p, std::size_t i, const MovingMeeting& at)
+{
+    ContactInput in = wall_input(p, i, static_cast<const WallMeeting&>(at));
+    in.vx -= at.ux;
+    in.vy -= at.uy;
+    in.vz -= at.uz;
+    in.ux -= at.ox;
+    in.uy -= at.oy;
+    in.uz -= at.oz;
+    in.twist += 0.5 * (at.ox * at.nx + at.oy * at.ny + at.oz * at.nz);
     return in;
 }
 

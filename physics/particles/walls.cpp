@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "physics/particles/walls.hpp"
 #include "core/base/error.hpp"
-#include "physics/particles/wall_force.hpp"
+#include "physics/particles/wall_meeting.hpp"
 
 #include <algorithm>
 
@@ -13,41 +13,30 @@ using core::Vec3;
 
 constexpr auto index_of(int i) { return std::size_t(i); }
 
-struct PlaneMeeting {
-    double px, py, pz, nx, ny, nz;
-    explicit PlaneMeeting(const PlaneWall& w)
-        : px(w.point[0]), py(w.point[1]), pz(w.point[2]), nx(-w.normal[0]), ny(-w.normal[1]), nz(-w.normal[2])
-    {
-    }
-    /// @param half  The way of the last half step [m].
-    [[gnu::always_inline]] WallMeeting operator()(double x, double y, double z, double, double, double) const
-    {
-        return {nx, ny, nz, nx, ny, nz, (px - x) * nx + (py - y) * ny + (pz - z) * nz};
-    }
-};
+PlaneWall placed(const PlaneWall& w, const WallPose& pose) { return {pose.place(w.point), pose.turn * w.normal}; }
 
-struct CylinderMeeting {
-    double px, py, pz, ax, ay, az, radius;
-    explicit CylinderMeeting(const CylinderWall& w)
-        : px(w.point[0]), py(w.point[1]), pz(w.point[2]), ax(w.axis[0]), ay(w.axis[1]), az(w.axis[2]), radius(w.radius)
-    {
-    }
-    /// @param hx,hy,hz  The way of the last half step [m].
-    [[gnu::always_inline]] WallMeeting operator()(double x, double y, double z, double hx, double hy, double hz) const
-    {
-        const double dx = x - px, dy = y - py, dz = z - pz;
-        const double along = dx * ax + dy * ay + dz * az, h_along = hx * ax + hy * ay + hz * az;
-        const double rx = dx - along * ax, ry = dy - along * ay, rz = dz - along * az;
-        const double bx = rx - (hx - h_along * ax), by = ry - (hy - h_along * ay), bz = rz - (hz - h_along * az);
-        const double distance = std::sqrt(rx * rx + ry * ry + rz * rz);
-        const double tiny = 1e-12 * radius; // on the axis any direction is as good
-        const double r = 1.0 / std::max(distance, tiny), b = 1.0 / std::max(std::sqrt(bx * bx + by * by + bz * bz), tiny);
-        return {rx * r, ry * r, rz * r, bx * b, by * b, bz * b, radius - distance};
-    }
-};
+CylinderWall placed(const CylinderWall& w, const WallPose& pose)
+{
+    return {pose.place(w.point), pose.turn * w.axis, w.radius, w.particles};
+}
 
-PlaneMeeting meeting_of(const PlaneWall& w) { return PlaneMeeting(w); }
-CylinderMeeting meeting_of(const CylinderWall& w) { return CylinderMeeting(w); }
+/// Of what a wall keeps to itself, a part in 10^12 is rounding.
+bool vanishes(double part, double whole) { return std::abs(part) <= 1e-12 * whole; }
+
+bool keeps_shape(const PlaneWall& w)
+{
+    const WallMotion& m = w.motion;
+    return vanishes(m.velocity.dot(w.normal), m.velocity.norm()) && vanishes(m.amplitude.dot(w.normal), m.amplitude.norm()) &&
+           vanishes(m.angular_velocity.cross(w.normal).norm(), m.angular_velocity.norm());
+}
+
+bool keeps_shape(const CylinderWall& w)
+{
+    const WallMotion& m = w.motion;
+    const auto along = [&](const Vec3& v) { return vanishes(v.cross(w.axis).norm(), v.norm()); };
+    return along(m.velocity) && along(m.amplitude) && along(m.angular_velocity) &&
+           (m.angular_velocity.isZero(0.0) || vanishes((m.axis_point - w.point).cross(w.axis).norm(), w.radius));
+}
 
 /// The contacts [begin, end) of one wall: particles, no two alike, and springs.
 struct WallColumns {
@@ -68,8 +57,7 @@ void run_contacts(const core::ParticleSet& p, const WallColumns& wall, const Mee
         const auto i = index_of(wall.particle[k]);
         const auto& law = law_of(i);
         const double half = 0.5 * law.step;
-        const WallMeeting at =
-            meet(columns.x[i], columns.y[i], columns.z[i], half * columns.vx[i], half * columns.vy[i], half * columns.vz[i]);
+        const auto at = meet(columns.x[i], columns.y[i], columns.z[i], half * columns.vx[i], half * columns.vy[i], half * columns.vz[i]);
         ContactInput in = wall_input(columns, i, at);
         add_wall_force(move_springs(law, in, wall.springs, k), at, i - first, add);
     }
@@ -90,6 +78,50 @@ WallContacts::WallContacts(std::vector<Wall> walls) : walls_(std::move(walls)), 
             cylinder->axis.normalize();
         }
     }
+    for (std::size_t w = 0; w < walls_.size(); ++w)
+        std::visit(
+            [&](const auto& wall) {
+                lists_[w].frame = WallFrame(wall.motion);
+                lists_[w].same_shape = keeps_shape(wall);
+            },
+            walls_[w]);
+}
+
+/// Calls act(meet) for the wall where it is now.
+template <class Act>
+void WallContacts::with_meeting(std::size_t w, Act act) const
+{
+    const List& list = lists_[w];
+    std::visit(
+        [&](const auto& wall) {
+            if (!list.frame.moves()) return act(meeting_of(wall));
+            const WallPose &now = list.frame.now(), &before = list.frame.before();
+            const auto own = meeting_of(wall);
+            if (list.same_shape) act(MovedMeeting(own, own, before));
+            else act(MovedMeeting(meeting_of(placed(wall, now)), meeting_of(placed(wall, before)), before));
+        },
+        walls_[w]);
+}
+
+void WallContacts::move_to(const WallTime& at)
+{
+    for (List& list : lists_) list.frame.move_to(at);
+}
+
+double WallContacts::way(const core::Bounds& box) const
+{
+    double greatest = 0.0;
+    for (const List& list : lists_)
+        if (!list.same_shape) greatest = std::max(greatest, list.frame.way(box));
+    return greatest;
+}
+
+double WallContacts::near_way(const core::Bounds& box) const
+{
+    double greatest = 0.0;
+    for (const List& list : lists_)
+        if (!list.same_shape) greatest = std::max(greatest, list.frame.near_way(box));
+    return greatest;
 }
 
 void WallContacts::build(const core::ParticleSet& p, double skin, const core::ContactHistory& history)
@@ -100,19 +132,17 @@ void WallContacts::build(const core::ParticleSet& p, double skin, const core::Co
         list.chunk_begin.clear();
         list.near_end.clear();
         list.all.spring.assign(index_of(history.width), {});
-        std::visit(
-            [&](const auto& wall) {
-                const auto meet = meeting_of(wall);
-                for (int i = 0; i < p.owned; ++i) {
-                    if (i % core::particles_per_chunk == 0) list.chunk_begin.push_back(int(list.all.particle.size()));
-                    const Vec3 x = p.position_of(i);
-                    if (meet(x[0], x[1], x[2], 0, 0, 0).depth - p.radius[index_of(i)] >= skin) continue;
-                    list.all.particle.push_back(i);
-                    const auto kept = history.find(i, core::wall_key(std::int64_t(w)));
-                    for (std::size_t a = 0; a < list.all.spring.size(); ++a) list.all.spring[a].push_back(kept[a]);
-                }
-            },
-            walls_[w]);
+        list.frame.mark_listed();
+        with_meeting(w, [&](const auto& meet) {
+            for (int i = 0; i < p.owned; ++i) {
+                if (i % core::particles_per_chunk == 0) list.chunk_begin.push_back(int(list.all.particle.size()));
+                const Vec3 x = p.position_of(i);
+                if (meet(x[0], x[1], x[2], 0, 0, 0).depth - p.radius[index_of(i)] >= skin) continue;
+                list.all.particle.push_back(i);
+                const auto kept = history.find(i, core::wall_key(std::int64_t(w)));
+                for (std::size_t a = 0; a < list.all.spring.size(); ++a) list.all.spring[a].push_back(kept[a]);
+            }
+        });
         list.chunk_begin.push_back(int(list.all.particle.size()));
     }
 }
@@ -127,25 +157,23 @@ void WallContacts::refresh(const core::ParticleSet& p, double skin, const core::
         for (auto& column : list.near.spring) column.resize(list.all.particle.size());
         const int chunks = int(list.chunk_begin.size()) - 1;
         list.near_end.resize(index_of(chunks));
-        std::visit(
-            [&](const auto& wall) {
-                const auto meet = meeting_of(wall);
-                team.run(chunks, [&](int c) {
-                    const auto begin = index_of(list.chunk_begin[index_of(c)]), end = index_of(list.chunk_begin[index_of(c) + 1]);
-                    auto next = begin;
-                    for (auto k = begin; k < end; ++k) {
-                        const int i = list.all.particle[k];
-                        const Vec3 x = p.position_of(i);
-                        if (meet(x[0], x[1], x[2], 0, 0, 0).depth - p.radius[index_of(i)] >= skin) continue;
-                        list.near.particle[next] = i;
-                        list.place[next] = int(k);
-                        for (std::size_t a = 0; a < list.all.spring.size(); ++a) list.near.spring[a][next] = list.all.spring[a][k];
-                        ++next;
-                    }
-                    list.near_end[index_of(c)] = int(next);
-                });
-            },
-            walls_[w]);
+        list.frame.mark_chosen();
+        with_meeting(w, [&](const auto& meet) {
+            team.run(chunks, [&](int c) {
+                const auto begin = index_of(list.chunk_begin[index_of(c)]), end = index_of(list.chunk_begin[index_of(c) + 1]);
+                auto next = begin;
+                for (auto k = begin; k < end; ++k) {
+                    const int i = list.all.particle[k];
+                    const Vec3 x = p.position_of(i);
+                    if (meet(x[0], x[1], x[2], 0, 0, 0).depth - p.radius[index_of(i)] >= skin) continue;
+                    list.near.particle[next] = i;
+                    list.place[next] = int(k);
+                    for (std::size_t a = 0; a < list.all.spring.size(); ++a) list.near.spring[a][next] = list.all.spring[a][k];
+                    ++next;
+                }
+                list.near_end[index_of(c)] = int(next);
+            });
+        });
     }
 }
 
@@ -177,12 +205,9 @@ void WallContacts::add_forces(const core::ParticleSet& p, const ContactLaws& law
         auto& list = lists_[w];
         const WallColumns columns{list.near.particle.data(), spring_columns(list.near.spring), list.chunk_begin[index_of(chunk)],
                                   list.near_end[index_of(chunk)]};
-        std::visit(
-            [&](const auto& wall) {
-                const auto meet = meeting_of(wall);
-                with_wall_laws(laws, p, [&](const auto law_of) { run_contacts(p, columns, meet, law_of, sums); });
-            },
-            walls_[w]);
+        with_meeting(w, [&](const auto& meet) {
+            with_wall_laws(laws, p, [&](const auto law_of) { run_contacts(p, columns, meet, law_of, sums); });
+        });
     }
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 // Contact of particles with planes and cylinders.
 #include "physics/particles/force_sums.hpp"
+#include "physics/particles/wall_frame.hpp"
 
 #include <variant>
 
@@ -12,13 +13,18 @@ namespace physics {
 struct PlaneWall {
     core::Vec3 point = core::Vec3::Zero();   ///< [m]
     core::Vec3 normal = core::Vec3::UnitZ(); ///< Towards the particles; made a unit vector on entry.
+    WallMotion motion = {};
 };
 
-/// The space outside an endless cylinder is solid.
+enum class CylinderSide { inside, outside };
+
+/// The space outside an endless cylinder is solid, or that inside.
 struct CylinderWall {
     core::Vec3 point = core::Vec3::Zero(); ///< On the axis [m].
     core::Vec3 axis = core::Vec3::UnitX(); ///< Made a unit vector on entry.
     double radius = 1.0;                   ///< [m]
+    CylinderSide particles = CylinderSide::inside;
+    WallMotion motion = {};
 };
 
 using Wall = std::variant<PlaneWall, CylinderWall>;
@@ -40,6 +46,12 @@ public:
     void add_forces(const core::ParticleSet& particles, const ContactLaws& laws, int chunk, ForceSums& sums);
     [[nodiscard]] bool empty() const { return walls_.empty(); }
 
+    void move_to(const WallTime& at);
+    /// Greatest way that the surface of a wall has gone against particles in `box` since build() [m].
+    [[nodiscard]] double way(const core::Bounds& box) const;
+    /// The same since refresh() [m].
+    [[nodiscard]] double near_way(const core::Bounds& box) const;
+
 private:
     struct Contacts {
         std::vector<int> particle;
@@ -47,13 +59,18 @@ private:
     };
     /// Contacts of one wall, in order of the particles.
     struct List {
+        WallFrame frame;
+        bool same_shape; ///< The motion maps the wall onto itself: only its surface moves.
         Contacts all;
         std::vector<int> chunk_begin;
         Contacts near;          ///< Those of each chunk begin where all of it begin.
         std::vector<int> place; ///< Of near contacts among all.
         std::vector<int> near_end;
     };
-    std::vector<Wall> walls_;
+    template <class Act>
+    void with_meeting(std::size_t wall, Act act) const;
+
+    std::vector<Wall> walls_; ///< In their own frames.
     std::vector<List> lists_;
 };
 

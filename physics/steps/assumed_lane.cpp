@@ -39,8 +39,9 @@ void CoupledStep::declare_assumed(tasks::StageGraph& graph, Mode mode)
 {
     if (mode == Mode::coarse)
         graph.whole(
-            "move grains with longer sub-steps", [this](tasks::Lane& lane, AssumedGrains& assumed) { return coarse_pass(lane, assumed); },
-            updates(assumed_));
+            "move grains with longer sub-steps",
+            [this](tasks::Lane& lane, const FluidClock& clock, AssumedGrains& assumed) { return coarse_pass(lane, assumed, clock.time); },
+            reads(clock_), updates(assumed_));
     else
         graph.whole(
             "fly grains held back",
@@ -57,13 +58,13 @@ void CoupledStep::declare_assumed(tasks::StageGraph& graph, Mode mode)
         reads(fields_.told, clock_), updates(assumed_), writes(fluid_filter_->stage_part, fields_.assumed));
 }
 
-tasks::Job CoupledStep::coarse_pass(tasks::Lane& lane, AssumedGrains& assumed) const
+tasks::Job CoupledStep::coarse_pass(tasks::Lane& lane, AssumedGrains& assumed, double time) const
 {
     const int number = (sub_steps + coarsening - 1) / coarsening;
     const double factor = double(sub_steps) / number;
     assumed.dynamics->set_step(factor * dynamics_.step());
     stretch_loads(assumed.dynamics->particles, exchange_.wet_columns(), factor);
-    co_await move_grains(lane, *assumed.stepper, WetMotion{exchange_.wet_columns()}, number);
+    co_await move_grains(lane, *assumed.stepper, WetMotion{exchange_.wet_columns()}, number, time);
 }
 
 /// What the fluid is still owed: nothing where it has waited for the grains.

@@ -162,8 +162,10 @@ void CoupledStep::declare_grain_sums(tasks::StageGraph& graph)
 {
     graph.whole(
         "move grains",
-        [this](tasks::Lane& lane, ParticleDynamics&) { return move_grains(lane, stepper_, WetMotion{exchange_.wet_columns()}, sub_steps); },
-        updates(grains_));
+        [this](tasks::Lane& lane, const FluidClock& clock, ParticleDynamics&) {
+            return move_grains(lane, stepper_, WetMotion{exchange_.wet_columns()}, sub_steps, clock.time);
+        },
+        reads(clock_), updates(grains_));
     graph.whole(
         "sum over grains",
         [this](tasks::Lane& lane, const ParticleDynamics& grains, const core::FieldBatch<told_views>& told, const FluidClock& clock,

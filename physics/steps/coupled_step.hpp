@@ -101,7 +101,7 @@ private:
         GrainPlaces places;
         GrainHolds holds;
     };
-    [[nodiscard]] tasks::Job coarse_pass(tasks::Lane& lane, AssumedGrains& assumed) const;
+    [[nodiscard]] tasks::Job coarse_pass(tasks::Lane& lane, AssumedGrains& assumed, double time) const;
     tasks::Job tell_state(tasks::Lane& lane);
     /// One column for each array of the batches.
     template <class... Batches>

@@ -22,9 +22,10 @@ namespace physics {
 
 /// Sub-steps, after which every grain is on the rank that owns the place where it lies and no list is left: what follows,
 /// and a checkpoint, finds the same state whether or not the run has been interrupted.
-[[nodiscard]] inline tasks::Job move_grains(tasks::Lane& lane, ParticleStepper& stepper, Motion motion, int sub_steps)
+/// @param time  At their beginning [s].
+[[nodiscard]] inline tasks::Job move_grains(tasks::Lane& lane, ParticleStepper& stepper, Motion motion, int sub_steps, double time)
 {
-    stepper.begin(motion, sub_steps);
+    stepper.begin(motion, sub_steps, time);
     co_await drive(lane, stepper);
     stepper.hand_over();
     co_await drive(lane, stepper);

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// Walls of their own, beside those of the grid, and how they move, as the user describes them.
+#include "core/base/vec3.hpp"
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace io {
+
+class Schema;
+
+enum class CylinderSide { inside, outside };
+inline constexpr std::array<std::string_view, 2> cylinder_side_words{"inside", "outside"};
+
+struct PlaneKeys {
+    core::Vec3 point = core::Vec3::Zero(), normal = core::Vec3::UnitZ(); ///< [m], [-]
+    bool operator==(const PlaneKeys&) const = default;
+};
+
+struct CylinderKeys {
+    core::Vec3 point = core::Vec3::Zero(), axis = core::Vec3::UnitX(); ///< [m], [-]
+    double radius = 0.0;                                               ///< [m]
+    CylinderSide particles = CylinderSide::inside;
+    bool operator==(const CylinderKeys&) const = default;
+};
+
+struct RotationKeys {
+    core::Vec3 point = core::Vec3::Zero(), axis = core::Vec3::UnitX(); ///< [m], [-]
+    double rate = 0.0;                                                 ///< [rad/s]
+    bool operator==(const RotationKeys&) const = default;
+};
+
+struct OscillationKeys {
+    core::Vec3 amplitude = core::Vec3::Zero(); ///< [m]
+    double frequency = 0.0;                    ///< [Hz]
+    double phase = 0.0;                        ///< [rad]
+    bool operator==(const OscillationKeys&) const = default;
+};
+
+struct MotionKeys {
+    std::optional<core::Vec3> velocity; ///< [m/s]
+    std::optional<RotationKeys> rotation;
+    std::optional<OscillationKeys> oscillation;
+    double start = 0.0;         ///< [s]
+    std::optional<double> stop; ///< [s]
+    bool operator==(const MotionKeys&) const = default;
+};
+
+/// Exactly one of the shapes is given.
+struct WallKeys {
+    std::string name;
+    std::optional<PlaneKeys> plane;
+    std::optional<CylinderKeys> cylinder;
+    std::optional<MotionKeys> motion;
+    bool operator==(const WallKeys&) const = default;
+};
+
+void describe(Schema& s, WallKeys& p);
+
+} // namespace io

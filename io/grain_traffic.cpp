@@ -5,6 +5,7 @@
 #include "io/exact_sums.hpp"
 #include "io/grid_builder.hpp"
 #include "io/world_grains.hpp"
+#include "io/world_walls.hpp"
 #include <algorithm>
 #include <cstring>
 

@@ -5,6 +5,7 @@
 #include "io/grain_census.hpp"
 #include "io/grain_file.hpp"
 #include "io/grid_builder.hpp"
+#include "io/world_walls.hpp"
 #include "physics/particles/insertion.hpp"
 #include "physics/particles/overlap_relaxation.hpp"
 #include <algorithm>

@@ -22,6 +22,9 @@ namespace io {
 [[nodiscard]] MetricGroup particle_metrics(World& world);
 /// Of each species that comes in the number so far; of each outlet the number and the mass that it has taken away [kg].
 [[nodiscard]] MetricGroup traffic_metrics(World& world);
+/// Of each wall of the scene's own, mean of the last step: force on it [N], torque on it about the point of its axis, or of its own if it
+/// does not turn [N m], power that it gives to the particles [W].
+[[nodiscard]] MetricGroup wall_metrics(World& world);
 /// Against gravity: mean and its standard error for each species, lowest and highest centre [m].
 [[nodiscard]] MetricGroup height_metrics(World& world);
 /// Volume of the solid in the cells [m3], its relative defect against the particles, largest solid fraction.

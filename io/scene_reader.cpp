@@ -41,6 +41,7 @@ Scene read_scene_tree(Node& root, Mark start, const std::vector<std::string>& ov
     check_grid(scene.grid, folder, locations, problems);
     if (scene.fluid) read_fluid_files(*scene.fluid, folder, locations, problems);
     read_particle_files(scene, folder, locations, problems);
+    read_wall_files(scene.walls, folder, locations, problems);
     check_scene(scene, locations, problems);
     if (problems.empty()) scene.resolve();
     return scene;

@@ -47,6 +47,8 @@ void read_fluid_files(Fluid& fluid, const std::filesystem::path& folder, Locatio
 
 /// Makes the files of species absolute paths, and reads tables once, for their mistakes.
 void read_particle_files(Scene& scene, const std::filesystem::path& folder, Locations& locations, Problems& problems);
+/// Makes the paths of walls' files absolute, and reads the files once.
+void read_wall_files(std::vector<WallKeys>& walls, const std::filesystem::path& folder, Locations& locations, Problems& problems);
 
 /// Finds mistakes that only several keys together show; says nothing about values that could not be read.
 void check_boundaries(const Scene& scene, const Locations& locations, Problems& problems);

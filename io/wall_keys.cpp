@@ -11,12 +11,36 @@ static void describe(Schema& s, PlaneKeys& p)
     s.required("normal", "Its normal, towards the particles; all behind it is solid", direction_of(p.normal));
 }
 
-static void describe(Schema& s, CylinderKeys& p)
+static void describe(Schema& s, CylinderWallKeys& p)
 {
     s.required("point", p.point, "m", "A point of its axis");
     s.required("axis", "Direction of its axis; it has no ends", direction_of(p.axis));
     s.required("radius", p.radius, "m", "Its radius", positive);
     s.value("particles", "On which side of it particles are", choice_of(p.particles, cylinder_side_words));
+}
+
+static void describe(Schema& s, TubeKeys& p)
+{
+    s.required("from", p.from, "m", "Beginning of its axis");
+    s.required("to", p.to, "m", "End of its axis; both ends are open");
+    s.required("radius", p.radius, "m", "Its radius at the beginning", positive);
+    s.value("end_radius", p.end_radius, "m", "Its radius at the end, which makes it a cone; without it, the same", positive);
+}
+
+static void describe(Schema& s, DiscKeys& p)
+{
+    s.required("point", p.point, "m", "Its middle");
+    s.required("normal", "Direction at right angles to it", direction_of(p.normal));
+    s.required("radius", p.radius, "m", "Its radius", positive);
+    s.value("hole", p.hole, "m", "Radius of a hole in its middle", not_negative);
+}
+
+static void describe(Schema& s, StlKeys& p)
+{
+    s.required("file", p.file, "", "An STL file, text or binary; particles meet both sides of its triangles");
+    s.value("unit", p.unit, "m", "What 1 means in the file, for example '1 mm'", positive);
+    s.value("at", p.at, "m", "Where the origin of the file lies");
+    s.value("smooth_angle", p.smooth_angle, "rad", "Triangles that meet at a smaller angle are one round surface", between(0.0, 1.0));
 }
 
 static void describe(Schema& s, RotationKeys& p)
@@ -45,9 +69,12 @@ static void describe(Schema& s, MotionKeys& p)
 void describe(Schema& s, WallKeys& p)
 {
     s.required("name", p.name, "", "Name in metrics and messages");
-    s.exactly_one({"plane", "cylinder"});
+    s.exactly_one({"plane", "cylinder", "tube", "disc", "stl"});
     s.group("plane", p.plane, "An endless plane");
     s.group("cylinder", p.cylinder, "An endless cylinder");
+    s.group("tube", p.tube, "A cylinder or cone with open ends; particles meet it from both sides");
+    s.group("disc", p.disc, "A disc; particles meet it from both sides");
+    s.group("stl", p.stl, "A surface of triangles from a file");
     s.group("motion", p.motion, "How it moves; while particles settle before t = 0 it does not. Fluids do not feel it");
 }
 

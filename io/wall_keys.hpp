@@ -21,11 +21,33 @@ struct PlaneKeys {
     bool operator==(const PlaneKeys&) const = default;
 };
 
-struct CylinderKeys {
+struct CylinderWallKeys {
     core::Vec3 point = core::Vec3::Zero(), axis = core::Vec3::UnitX(); ///< [m], [-]
     double radius = 0.0;                                               ///< [m]
     CylinderSide particles = CylinderSide::inside;
-    bool operator==(const CylinderKeys&) const = default;
+    bool operator==(const CylinderWallKeys&) const = default;
+};
+
+/// A cylinder or cone between two points.
+struct TubeKeys {
+    core::Vec3 from = core::Vec3::Zero(), to = core::Vec3::Zero(); ///< Ends of the axis [m].
+    double radius = 0.0;                                           ///< [m]
+    std::optional<double> end_radius;                              ///< at `to`; without it, that at `from` [m]
+    bool operator==(const TubeKeys&) const = default;
+};
+
+struct DiscKeys {
+    core::Vec3 point = core::Vec3::Zero(), normal = core::Vec3::UnitZ(); ///< Its middle [m], [-].
+    double radius = 0.0, hole = 0.0;                                     ///< [m]
+    bool operator==(const DiscKeys&) const = default;
+};
+
+struct StlKeys {
+    std::string file;                          ///< relative to the scene's folder
+    double unit = 1.0;                         ///< what 1 in the file means [m]
+    core::Vec3 at = core::Vec3::Zero();        ///< where its origin lies [m]
+    double smooth_angle = 0.26179938779914943; ///< 15 degrees [rad]
+    bool operator==(const StlKeys&) const = default;
 };
 
 struct RotationKeys {
@@ -54,7 +76,10 @@ struct MotionKeys {
 struct WallKeys {
     std::string name;
     std::optional<PlaneKeys> plane;
-    std::optional<CylinderKeys> cylinder;
+    std::optional<CylinderWallKeys> cylinder;
+    std::optional<TubeKeys> tube;
+    std::optional<DiscKeys> disc;
+    std::optional<StlKeys> stl;
     std::optional<MotionKeys> motion;
     bool operator==(const WallKeys&) const = default;
 };

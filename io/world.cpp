@@ -7,6 +7,7 @@
 #include "io/initial_grains.hpp"
 #include "io/physics_builder.hpp"
 #include "io/world_grains.hpp"
+#include "io/world_walls.hpp"
 #include "physics/particles/advance.hpp"
 #include "physics/steps/grain_job.hpp"
 #include <algorithm>
@@ -64,6 +65,7 @@ void World::make_grains()
         if (!scene_.particles[std::size_t(grain.species)].file.empty()) census_.add(grain);
     traffic_.emplace(scene_, domain, std::int64_t(grains.size()));
     grains_.emplace(make_dynamics(scene_, census_, mesh_));
+    require_clear_of_walls(scene_.walls, grains, *grains_);
     contact_step_ = grains_->step();
     const physics::OwnerOf owner_of = [this](const core::Vec3& x) { return this->owner_of(x); };
     add_grains(grains, owner_of, ranks_.rank(), *grains_);

@@ -16,6 +16,7 @@ WorldMetrics::WorldMetrics(World& world, const std::filesystem::path& file, std:
     if (world.scalars()) groups_.push_back(scalar_metrics(world));
     if (world.grains()) groups_.push_back(particle_metrics(world));
     if (world.traffic() && world.traffic()->is_open()) groups_.push_back(traffic_metrics(world));
+    if (world.grains() && !world.scene().walls.empty()) groups_.push_back(wall_metrics(world));
     if (world.grains() && world.scene().gravity) groups_.push_back(height_metrics(world));
     if (world.coupling()) groups_.push_back(solid_metrics(world));
     if (ledger_) groups_.push_back(momentum_metrics(*ledger_));

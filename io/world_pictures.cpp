@@ -7,6 +7,8 @@
 #include "io/grid_builder.hpp"
 #include "io/mesh_nodes.hpp"
 #include "io/picture_slice.hpp"
+#include "io/wall_shapes.hpp"
+#include "io/world_walls.hpp"
 #include "physics/fluid/cell_loops.hpp"
 #include <cmath>
 #include <cstring>
@@ -91,12 +93,25 @@ WorldPictures::WorldPictures(const World& world, std::filesystem::path folder, c
     else if (!world.grains()) style_.slice = PictureStyle::Slice::speed; // or there is nothing to see
     if (world.ranks().rank() != 0) return;
     still_.camera = side_camera(world.scene(), frame_, double(style_.width) / style_.height);
-    still_.walls.push_back(wall_of(world.mesh(), frame_));
+    const auto& contact = world.scene().contact;
+    if (!contact || contact->walls != WallShape::none) still_.walls.push_back(wall_of(world.mesh(), frame_));
+    for (const WallKeys& wall : world.scene().walls)
+        if (const auto triangles = triangles_of(wall); !triangles.empty())
+            own_walls_.push_back({motion_of(wall, core::Vec3::Zero()), physics::joined_triangles(triangles)});
     still_.caption.title = world.scene().name;
     still_.caption.legend = legend_of(world.scene());
     std::error_code ignored; // a folder that cannot be made is an error of the first picture
     std::filesystem::create_directories(folder_, ignored);
     worker_ = std::make_unique<PictureWorker>(style_.width, style_.height);
+}
+
+Surface WorldPictures::OwnWall::at(double time, const PictureFrame& frame) const
+{
+    const physics::WallPose pose = motion.at(time);
+    Surface shown;
+    for (const core::Vec3& x : mesh.vertices) shown.points.push_back(frame(pose.place(x)));
+    shown.triangles = mesh.triangles;
+    return shown;
 }
 
 void WorldPictures::draw(const World& world, std::int64_t number)
@@ -114,6 +129,7 @@ void WorldPictures::draw(const World& world, std::int64_t number)
         const auto [x, y, z] = frame_({p.position[0], p.position[1], p.position[2]});
         if (!sliced || z < plane) picture.spheres.push_back({x, y, z, float(p.radius), species_colour(int(p.species))});
     }
+    for (const OwnWall& wall : own_walls_) picture.walls.push_back(wall.at(world.time(), frame_));
     picture.caption.detail = time_text(world.scene(), world.time());
     worker_->submit(std::move(picture), (folder_ / fmt::format("frame_{:06}.png", number)).string());
 }

@@ -5,6 +5,7 @@
 #include "io/picture_frame.hpp"
 #include "io/picture_worker.hpp"
 #include "io/world.hpp"
+#include "physics/particles/triangle_mesh.hpp"
 #include <filesystem>
 
 namespace io {
@@ -29,12 +30,19 @@ public:
     [[nodiscard]] std::string take_warning();
 
 private:
+    /// A wall of the scene's own that has ends.
+    struct OwnWall {
+        physics::WallMotion motion;
+        physics::TriangleMesh mesh;
+        [[nodiscard]] Surface at(double time, const PictureFrame& frame) const;
+    };
     [[nodiscard]] std::vector<ColouredQuad> slice(const World& world, const ColourBar& bar) const;
 
     std::filesystem::path folder_;
     PictureStyle style_;
     PictureFrame frame_;
     PictureScene still_; ///< camera, walls and legend: the same in all pictures
+    std::vector<OwnWall> own_walls_;
     std::unique_ptr<PictureWorker> worker_;
 };
 

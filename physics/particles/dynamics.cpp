@@ -56,14 +56,6 @@ void ParticleDynamics::set_reach(double radius)
     near_skin_ = parameters_.near_skin > 0 ? std::min(parameters_.near_skin, skin_) : usual_near_skin * radius;
 }
 
-void ParticleDynamics::move_walls(int sub_step)
-{
-    const WallTime at{begin_ ? std::optional(*begin_ + (sub_step + 0.5) * step_) : std::nullopt, 0.5 * step_};
-    walls_.move_to(at);
-    wall_way_ = walls_.way(extent_);
-    near_wall_way_ = walls_.near_way(extent_);
-}
-
 double ParticleDynamics::start(const core::Team& team)
 {
     const double speed2 = drift_all(particles, 0.5 * step_, team);
@@ -109,7 +101,7 @@ void ParticleDynamics::dissolve(const core::Team& team)
         for (int i = 0; i < particles.owned; ++i) {
             pairs_.append_row(particles, i, history);
             walls_.append_row(i, history);
-            surface_.append_row(i, history);
+            for (const SurfaceContacts& surface : surfaces_) surface.append_row(i, history);
             history.end_row();
         }
         particles.resize_ghosts(0);
@@ -165,7 +157,7 @@ void ParticleDynamics::build(const core::Team& team)
     cells_.build(particles, bins_);
     pairs_.build(particles, cells_, skin_, history, team);
     walls_.build(particles, 0.5 * skin_, history); // half: what walls do themselves is in wall_way_
-    if (!surface_.empty()) surface_.build(particles, 0.5 * skin_, 0.5 * near_skin_, history);
+    for (SurfaceContacts& surface : surfaces_) surface.build(particles, 0.5 * skin_, 0.5 * near_skin_, history);
     forces_.resize(index_of(pairs_.size()), pair_laws_);
     records_.resize(particles.size());
     records_.update(particles, 0, particles.size());
@@ -189,7 +181,7 @@ void ParticleDynamics::refresh_near(const core::Team& team)
     return_springs(team);
     near_.refresh(particles, pairs_, shifts_, near_skin_, team);
     walls_.refresh(particles, 0.5 * near_skin_, team);
-    if (!surface_.empty()) surface_.refresh(particles, team);
+    for (SurfaceContacts& surface : surfaces_) surface.refresh(particles, team);
     near_built_ = true;
     near_travelled_ = near_wall_way_ = 0.0;
 }
@@ -212,16 +204,20 @@ void ParticleDynamics::plan_segments(int threads)
             for (const int later : pairs_.links[index_of(c)])
                 if (later >= segments_[index_of(s) + 1]) deferred_[index_of(later)] = 1;
     planned_threads_ = threads;
+    std::vector<WallLoad> so_far = loads();
+    so_far.resize(index_of(count * reports_));
+    loads_ = std::move(so_far);
 }
 
-void ParticleDynamics::sum_chunk(int chunk, ForceSums& sums)
+void ParticleDynamics::sum_chunk(int segment, int chunk, ForceSums& sums)
 {
+    const WallLoads loads = WallLoads(loads_).subspan(index_of(segment * reports_), index_of(reports_));
     sums.begin = chunk * core::particles_per_chunk;
     sums.end = std::min(particles.owned, sums.begin + core::particles_per_chunk);
     sum_pair_forces(pairs_, near_, forces_, sums);
     if (!forces_.couples.empty()) add_pair_couples(pairs_, near_, forces_, sums);
-    if (!walls_.empty()) walls_.add_forces(particles, wall_laws_, chunk, sums);
-    if (!surface_.empty()) surface_.add_forces(particles, wall_laws_, chunk, sums);
+    if (!walls_.empty()) walls_.add_forces(particles, wall_laws_, chunk, sums, loads);
+    for (SurfaceContacts& surface : surfaces_) surface.add_forces(particles, wall_laws_, chunk, sums, loads);
 }
 
 /// A particle may move as soon as all its pairs are done. The pairs of chunks 0..c are all the pairs of their particles, so
@@ -234,7 +230,7 @@ double ParticleDynamics::advance_as(const M& motion, const core::Team& team, con
     std::vector<double> greatest(index_of(segments), 0.0);
     const auto move = [&](int s, int c) {
         ForceSums sums;
-        sum_chunk(c, sums);
+        sum_chunk(s, c, sums);
         greatest[index_of(s)] = std::max(greatest[index_of(s)], move_chunk(particles, sums, motion, times));
         records_.update(particles, sums.begin, sums.end);
     };
@@ -254,6 +250,7 @@ double ParticleDynamics::advance_as(const M& motion, const core::Team& team, con
 
 double ParticleDynamics::advance(const Motion& motion, const core::Team& team, int sub_step, int sub_steps)
 {
+    ++load_steps_;
     if (particles.owned == 0) return 0.0;
     if (!near_built_ || 2.0 * (near_travelled_ + near_wall_way_) >= near_skin_) refresh_near(team);
     if (planned_threads_ != team.threads()) plan_segments(team.threads());

@@ -22,7 +22,15 @@ public:
     ParticleDynamics(const core::Domain& domain, const ParticleParameters& parameters, std::vector<Wall> walls, double step);
 
     /// Adds a surface to the walls. @pre before the first sub-step
-    void set_surface(WallSurface surface) { surface_ = SurfaceContacts(std::move(surface)); }
+    /// @param report  Which of the loads its own is; none if negative.
+    void add_surface(WallSurface surface, const WallMotion& motion = {}, int report = -1);
+    /// Which of the reported walls is a surface that a sphere sticks in by more than a tenth of its radius at t = 0; -1 if none is.
+    [[nodiscard]] int surface_at(const core::Vec3& centre, double radius) const;
+    /// Makes room for the loads of `walls` walls that are reported.
+    void report_walls(int walls) { reports_ = walls; }
+    /// Loads of the walls that are reported by the particles of this rank, summed over load_steps() sub-steps: those of the last batch.
+    [[nodiscard]] std::vector<WallLoad> loads() const;
+    [[nodiscard]] int load_steps() const { return load_steps_; }
 
     core::ParticleSet particles;
     core::ContactHistory history; ///< Springs while no list is valid: before the first build, and during a rebuild.
@@ -33,7 +41,7 @@ public:
     void set_step(double step);
 
     /// Says when the sub-steps of the next batch are. @param time  At its beginning [s]; without it walls stand as at t = 0.
-    void begin(std::optional<double> time) { begin_ = time; }
+    void begin(std::optional<double> time);
     /// Brings the walls to where they are when the forces of `sub_step` act.
     void move_walls(int sub_step);
     /// First half drift of a batch of sub-steps. @returns the greatest square of speed of this rank [m2/s2].
@@ -83,7 +91,7 @@ private:
     void return_springs(const core::Team& team);
     void refresh_near(const core::Team& team);
     void plan_segments(int threads);
-    void sum_chunk(int chunk, ForceSums& sums);
+    void sum_chunk(int segment, int chunk, ForceSums& sums);
     template <class M>
     double advance_as(const M& motion, const core::Team& team, const DriftTimes& times);
 
@@ -92,7 +100,9 @@ private:
     double step_;
     ContactLaws pair_laws_, wall_laws_;
     WallContacts walls_;
-    SurfaceContacts surface_;
+    std::vector<SurfaceContacts> surfaces_;
+    int reports_ = 0, load_steps_ = 0;
+    std::vector<WallLoad> loads_; // of each segment, reports_ of them
     std::array<core::Vec3, 27> shifts_;
     double skin_ = 0.0, near_skin_ = 0.0;
     core::LevelBins bins_;

@@ -9,9 +9,7 @@ namespace {
 
 using core::Vec3;
 
-constexpr double same_contact = 0.9848;         // cosine of 10 degrees: two hits are one contact
-constexpr double same_friction = 0.7071;        // cosine of 45 degrees: a contact goes on
-constexpr std::int64_t first_feature = 1 << 20; // analytic walls have lower numbers
+constexpr double same_contact = 0.9848; // cosine of 10 degrees: two hits are one contact
 constexpr auto index_of(int i) { return std::size_t(i); }
 
 core::Four gather(const core::Column& column, const std::array<int, 4>& i)
@@ -19,34 +17,27 @@ core::Four gather(const core::Column& column, const std::array<int, 4>& i)
     return core::Four{column[index_of(i[0])], column[index_of(i[1])], column[index_of(i[2])], column[index_of(i[3])]};
 }
 
-core::Spring spring_of(const Vec3& v) { return {v[0], v[1], v[2]}; }
-Vec3 vector_of(const core::Spring& s) { return {s[0], s[1], s[2]}; }
-Vec3 turn_of(const core::Spring& s) { return {s[3], s[4], s[5]}; }
+/// Four points in the frame of a wall.
+std::array<core::Four, 3> own_four(const WallPose& pose, const core::Four& x, const core::Four& y, const core::Four& z)
+{
+    const core::Four dx = x - pose.shift[0], dy = y - pose.shift[1], dz = z - pose.shift[2];
+    const auto along = [&](int a) { return core::Four(pose.turn(0, a) * dx + pose.turn(1, a) * dy + pose.turn(2, a) * dz); };
+    return {along(0), along(1), along(2)};
+}
 
 } // namespace
 
-core::Spring SurfaceContacts::take_spring(Chunk& chunk, std::ptrdiff_t first, std::ptrdiff_t last, const Vec3& normal)
+bool SurfaceContacts::holds(const Vec3& centre, double radius) const
 {
-    const auto begin = chunk.contacts_before.begin();
-    auto best = begin + last;
-    double likeness = same_friction;
-    for (auto c = begin + first; c != begin + last; ++c) {
-        const double like = c->normal.dot(normal);
-        if (like <= likeness) continue;
-        likeness = like;
-        best = c;
-    }
-    if (best == begin + last) return {};
-    best->normal.setZero();
-    core::Spring spring = spring_of(best->spring);
-    if (!chunk.turns_before.empty())
-        for (int a = 0; a < 3; ++a) spring[index_of(3 + a)] = chunk.turns_before[std::size_t(best - begin)][a];
-    return spring;
+    std::vector<int> found;
+    surface_.candidates(centre, radius, 0.0, found);
+    return !found.empty();
 }
 
 void SurfaceContacts::build(const core::ParticleSet& particles, double skin, double near_skin, const core::ContactHistory& history)
 {
     near_skin_ = near_skin;
+    frame_.mark_listed();
     chunks_.resize(index_of((particles.owned + core::particles_per_chunk - 1) / core::particles_per_chunk));
     std::vector<int> found;
     for (int i = 0; i < particles.owned; ++i) {
@@ -56,14 +47,9 @@ void SurfaceContacts::build(const core::ParticleSet& particles, double skin, dou
             chunk.contacts.clear();
             chunk.turns.clear();
         }
-        surface_.candidates(particles.position_of(i), particles.radius[index_of(i)], skin, found);
+        surface_.candidates(own(particles.position_of(i)), particles.radius[index_of(i)], skin, found);
         for (const int t : found) chunk.listed.add(i, t);
-        for (std::int64_t k = first_feature;; k += 2) {
-            const core::Spring spring = history.find(i, core::wall_key(k));
-            if (spring == core::Spring{}) break;
-            chunk.contacts.push_back({i, vector_of(history.find(i, core::wall_key(k + 1))), vector_of(spring)});
-            if (history.width == core::rolling_memory) chunk.turns.push_back(turn_of(spring));
-        }
+        recall(i, history, chunk);
     }
     for (auto& chunk : chunks_) make_filters(particles, chunk);
 }
@@ -87,12 +73,13 @@ void SurfaceContacts::choose_near(const core::ParticleSet& p, Chunk& chunk) cons
     chunk.near.triangle.clear();
     for (int begin = 0; begin < listed.size(); begin += 4) {
         const auto i = listed.particles_from(begin);
-        const auto& x = p.position;
-        const auto inside = chunk.filters[index_of(begin / 4)](gather(x[0], i), gather(x[1], i), gather(x[2], i));
+        std::array<core::Four, 3> x{gather(p.position[0], i), gather(p.position[1], i), gather(p.position[2], i)};
+        if (frame_.moves()) x = own_four(frame_.now(), x[0], x[1], x[2]);
+        const auto inside = chunk.filters[index_of(begin / 4)](x[0], x[1], x[2]);
         for (int m = begin; m < std::min(begin + 4, listed.size()); ++m) {
             if (!inside[m - begin]) continue;
             const int particle = listed.particle[index_of(m)], t = listed.triangle[index_of(m)];
-            if (surface_.plain(t) || surface_.near(t, p.position_of(particle), p.radius[index_of(particle)], near_skin_))
+            if (surface_.plain(t) || surface_.near(t, own(p.position_of(particle)), p.radius[index_of(particle)], near_skin_))
                 chunk.near.add(particle, t);
         }
     }
@@ -100,29 +87,11 @@ void SurfaceContacts::choose_near(const core::ParticleSet& p, Chunk& chunk) cons
 
 void SurfaceContacts::refresh(const core::ParticleSet& particles, const core::Team& team)
 {
+    frame_.mark_chosen();
     team.run(int(chunks_.size()), [&](int c) {
         choose_near(particles, chunks_[index_of(c)]);
         gather_patches(chunks_[index_of(c)]);
     });
-}
-
-void SurfaceContacts::append_row(int i, core::ContactHistory& history) const
-{
-    const std::size_t c = index_of(i / core::particles_per_chunk);
-    if (c >= chunks_.size()) return;
-    const Chunk& chunk = chunks_[c];
-    const auto& contacts = chunk.contacts;
-    auto contact =
-        std::lower_bound(contacts.begin(), contacts.end(), i, [](const Contact& a, int particle) { return a.particle < particle; });
-    std::int64_t k = first_feature;
-    for (; contact != contacts.end() && contact->particle == i; ++contact) {
-        core::Spring spring = spring_of(contact->spring);
-        if (!chunk.turns.empty())
-            for (int a = 0; a < 3; ++a) spring[index_of(3 + a)] = chunk.turns[std::size_t(contact - contacts.begin())][a];
-        if (spring == core::Spring{}) continue;
-        history.add(core::wall_key(k++), spring);
-        history.add(core::wall_key(k++), spring_of(contact->normal));
-    }
 }
 
 FourPatches SurfaceContacts::patches_of(const Pairs& pairs, int begin) const
@@ -150,10 +119,18 @@ void SurfaceContacts::find_feet(const core::ParticleSet& p, double half_step, Ch
         const FourPatches& patch = chunk.patches[index_of(begin / 4)];
         const auto i = chunk.near.particles_from(begin);
         const auto &x = p.position, &v = p.velocity;
-        const auto centre = patch_point(patch, gather(x[0], i), gather(x[1], i), gather(x[2], i));
+        const Four px = gather(x[0], i), py = gather(x[1], i), pz = gather(x[2], i);
         const Four wx = half_step * gather(v[0], i), wy = half_step * gather(v[1], i), wz = half_step * gather(v[2], i);
-        const auto way = patch_way(patch, wx, wy, wz);
-        const PatchPoint<Four> earlier{centre.one - way.one, centre.two - way.two, centre.height - way.height};
+        PatchPoint<Four> centre, earlier;
+        if (frame_.moves()) {
+            const auto now = own_four(frame_.now(), px, py, pz), before = own_four(frame_.before(), px - wx, py - wy, pz - wz);
+            centre = patch_point(patch, now[0], now[1], now[2]);
+            earlier = patch_point(patch, before[0], before[1], before[2]);
+        } else {
+            centre = patch_point(patch, px, py, pz);
+            const auto way = patch_way(patch, wx, wy, wz);
+            earlier = {centre.one - way.one, centre.two - way.two, centre.height - way.height};
+        }
         const auto now = find_foot(patch, centre);
         const auto before = patch_foot(patch, earlier, improve_foot(patch, earlier, {now.one, now.two}));
         const Four zero = 1.0 - now.one - now.two, inside = core::lesser(core::lesser(now.one, now.two), zero);
@@ -161,26 +138,29 @@ void SurfaceContacts::find_feet(const core::ParticleSet& p, double half_step, Ch
     }
 }
 
-SurfaceContacts::Touch SurfaceContacts::touch_of(const Feet& feet, int lane)
+SurfaceContacts::Touch SurfaceContacts::touch_of(const Feet& feet, int lane) const
 {
-    return {{Vec3(feet.now.nx[lane], feet.now.ny[lane], feet.now.nz[lane]), feet.now.depth[lane]},
-            Vec3(feet.before_x[lane], feet.before_y[lane], feet.before_z[lane])};
+    const double side = surface_.two_sided() && feet.now.depth[lane] < 0.0 ? -1.0 : 1.0;
+    return {{side * Vec3(feet.now.nx[lane], feet.now.ny[lane], feet.now.nz[lane]), side * feet.now.depth[lane]},
+            side * Vec3(feet.before_x[lane], feet.before_y[lane], feet.before_z[lane])};
 }
 
 /// Touches of the particle of near pairs [begin, end), the deepest first.
-void SurfaceContacts::find_touches(const Vec3& centre, double radius, int begin, int end, Chunk& chunk) const
+/// @param centre  In the surface's own frame, like all touches [m].
+void SurfaceContacts::add_near_touches(const Vec3& centre, double radius, int begin, int end, Chunk& chunk) const
 {
     auto& touches = chunk.touches;
     touches.clear();
     for (int m = begin; m < end; ++m) {
         const Feet& feet = chunk.feet[index_of(m / 4)];
-        const int lane = m % 4;
-        if (feet.inside[lane] < -patch_overlap && chunk.plain[index_of(m)]) continue;
+        const int lane = m % 4, triangle = chunk.near.triangle[index_of(m)];
+        const bool plain = chunk.plain[index_of(m)];
+        if (feet.inside[lane] < -patch_overlap && plain) continue;
         Touch touch = touch_of(feet, lane);
-        if (feet.inside[lane] < -patch_overlap) {
+        const PatchPlace<double> foot{feet.now.one[lane], feet.now.two[lane]};
+        if (feet.inside[lane] < -patch_overlap || (!plain && surface_.beyond_sharp_edge(triangle, foot))) {
             const Vec3 face = touch.hit.normal;
-            const PatchPlace<double> foot{feet.now.one[lane], feet.now.two[lane]};
-            if (!surface_.meet_rim(chunk.near.triangle[index_of(m)], foot, centre, touch.hit)) continue;
+            if (!surface_.meet_rim(triangle, foot, centre, touch.hit)) continue;
             touch.before = (touch.before + touch.hit.normal - face).normalized();
         }
         if (std::abs(touch.hit.depth) >= radius) continue;
@@ -189,9 +169,25 @@ void SurfaceContacts::find_touches(const Vec3& centre, double radius, int begin,
         while (place != touches.begin() && touch.hit.depth < (place - 1)->hit.depth) --place;
         touches.insert(place, touch);
     }
+}
+
+/// What lies behind the nearest place of a surface with two sides is hidden from the particle.
+void SurfaceContacts::drop_touches_behind(std::vector<Touch>& touches)
+{
+    const SurfaceHit first = touches.front().hit;
+    const auto hidden = [&](const Touch& t) { return first.depth < t.hit.depth * t.hit.normal.dot(first.normal); };
+    touches.erase(std::remove_if(touches.begin() + 1, touches.end(), hidden), touches.end());
+}
+
+/// The same, each place once.
+void SurfaceContacts::find_touches(const Vec3& centre, double radius, int begin, int end, Chunk& chunk) const
+{
+    add_near_touches(centre, radius, begin, end, chunk);
+    auto& touches = chunk.touches;
     if (touches.size() < 2) return;
+    if (surface_.two_sided()) drop_touches_behind(touches);
     // a centre behind one face but before another is outside an edge, not inside the wall
-    if (touches.back().hit.depth > 0.0)
+    else if (touches.back().hit.depth > 0.0)
         touches.erase(touches.begin(), std::find_if(touches.begin(), touches.end(), [](const Touch& t) { return t.hit.depth > 0.0; }));
     auto kept = touches.begin();
     for (const Touch& t : touches) {
@@ -201,19 +197,33 @@ void SurfaceContacts::find_touches(const Vec3& centre, double radius, int begin,
     touches.erase(kept, touches.end());
 }
 
-void SurfaceContacts::finish(const core::ParticleSet& p, const ContactLaws& laws, SurfaceTouches& block, Chunk& chunk, ForceSums& sums)
+void SurfaceContacts::finish(const core::ParticleSet& p, const ContactLaws& laws, SurfaceTouches& block, Chunk& chunk,
+                             const Sums& sums) const
 {
     const ParticleColumns columns(p);
-    with_wall_laws(laws, p, [&](const auto law_of) { block.evaluate(columns, law_of); });
-    block.add_to(SumColumns(sums), index_of(sums.begin));
+    const WallVelocity velocity(frame_.before());
+    with_wall_laws(laws, p, [&](const auto law_of) {
+        if (frame_.moves()) block.evaluate_moving(columns, law_of, velocity);
+        else block.evaluate(columns, law_of);
+    });
+    block.add_to(SumColumns(sums.particles), index_of(sums.particles.begin));
     for (int k = 0; k < block.count; ++k) chunk.contacts.push_back({block.particle[k], block.normal(k), block.tangential(k)});
     for (int k = 0; k < block.count && block.turning; ++k) chunk.turns.push_back(block.turn(k));
+    for (int k = 0; k < block.count && sums.wall; ++k) {
+        const Vec3 place = p.position_of(block.particle[k]) + block.depth[k] * block.normal(k);
+        const MovingMeeting at = block.meeting(columns, k, 0.5 * step_of(laws), velocity);
+        const Vec3 force = block.force(k), couple = block.couple(k);
+        const double power = force.dot(Vec3(at.ux, at.uy, at.uz)) + couple.dot(Vec3(at.ox, at.oy, at.oz));
+        if (!force.isZero(0.0)) sums.wall->add({force, couple, place - frame_.now().axis_point, power});
+    }
     block.count = 0;
 }
 
-void SurfaceContacts::add_forces(const core::ParticleSet& p, const ContactLaws& laws, int chunk_number, ForceSums& sums)
+void SurfaceContacts::add_forces(const core::ParticleSet& p, const ContactLaws& laws, int chunk_number, ForceSums& force_sums,
+                                 WallLoads loads)
 {
     Chunk& chunk = chunks_[index_of(chunk_number)];
+    const Sums sums{force_sums, report_ < 0 ? nullptr : &loads[index_of(report_)]};
     find_feet(p, 0.5 * step_of(laws), chunk);
     std::swap(chunk.contacts, chunk.contacts_before);
     chunk.contacts.clear();
@@ -232,15 +242,18 @@ void SurfaceContacts::add_forces(const core::ParticleSet& p, const ContactLaws& 
         while (next != old_end && next->particle == i) ++next;
         const auto add = [&](const Touch& t) {
             if (block.count == SurfaceTouches::size) finish(p, laws, block, chunk, sums);
+            const bool moves = frame_.moves();
+            const Vec3 normal = moves ? Vec3(frame_.now().turn * t.hit.normal) : t.hit.normal;
+            const Vec3 before = moves ? Vec3(frame_.before().turn * t.before) : t.before;
             const auto start = chunk.contacts_before.begin();
-            block.add(i, t.hit.normal, t.before, t.hit.depth, take_spring(chunk, old - start, next - start, -t.hit.normal));
+            block.add(i, normal, before, t.hit.depth, take_spring(chunk, old - start, next - start, -normal));
         };
         if (end == begin + 1 && chunk.plain[index_of(begin)]) { // most of them
             const Feet& feet = chunk.feet[index_of(begin / 4)];
             const int lane = begin % 4;
             if (feet.inside[lane] >= -patch_overlap && std::abs(feet.now.depth[lane]) < radius) add(touch_of(feet, lane));
         } else {
-            find_touches(p.position_of(i), radius, begin, end, chunk);
+            find_touches(own(p.position_of(i)), radius, begin, end, chunk);
             for (const Touch& t : chunk.touches) add(t);
         }
         old = next;

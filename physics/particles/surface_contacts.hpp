@@ -4,14 +4,27 @@
 // Contacts of particles with a wall surface: one for each place of contact, its friction carried from face to face.
 #include "physics/particles/surface_filter.hpp"
 #include "physics/particles/surface_touches.hpp"
+#include "physics/particles/wall_load.hpp"
 
 namespace physics {
 
 class SurfaceContacts {
 public:
     SurfaceContacts() = default;
-    explicit SurfaceContacts(WallSurface surface) : surface_(std::move(surface)) {}
-    [[nodiscard]] bool empty() const { return surface_.empty(); }
+    /// @param number  Of the surface among all. @param report  Which of the loads its own is; none if negative.
+    SurfaceContacts(WallSurface surface, const WallMotion& motion, int number, int report)
+        : surface_(std::move(surface)), frame_(motion), number_(number), report_(report)
+    {
+    }
+
+    [[nodiscard]] int report() const { return report_; }
+    /// Whether a sphere touches the surface, in its own frame.
+    [[nodiscard]] bool holds(const core::Vec3& centre, double radius) const;
+    void move_to(const WallTime& at) { frame_.move_to(at); }
+    /// Greatest way that the surface has gone against particles in `box` since build() [m].
+    [[nodiscard]] double way(const core::Bounds& box) const { return frame_.way(box); }
+    /// The same since refresh() [m].
+    [[nodiscard]] double near_way(const core::Bounds& box) const { return frame_.near_way(box); }
 
     /// Lists the owned particles and triangles that may touch when they have gone up to `skin` [m].
     /// @param near_skin  The same for refresh() [m].
@@ -22,7 +35,8 @@ public:
     void append_row(int i, core::ContactHistory& history) const;
     /// Adds the forces of the surface to those of `chunk` and moves the springs one step on. Contacts whose normals differ by
     /// less than 10 degrees are one, the deeper; a contact goes on with the spring of the last contact of similar normal.
-    void add_forces(const core::ParticleSet& particles, const ContactLaws& laws, int chunk, ForceSums& sums);
+    /// @param loads  Of the walls that are reported; moments about the points of their axes.
+    void add_forces(const core::ParticleSet& particles, const ContactLaws& laws, int chunk, ForceSums& sums, WallLoads loads);
 
 private:
     /// What a contact keeps for the next step.
@@ -75,16 +89,29 @@ private:
     void gather_patches(Chunk& chunk) const;
     [[nodiscard]] FourPatches patches_of(const Pairs& pairs, int begin) const;
     void find_feet(const core::ParticleSet& particles, double half_step, Chunk& chunk) const;
-    [[nodiscard]] static Touch touch_of(const Feet& feet, int lane);
+    [[nodiscard]] Touch touch_of(const Feet& feet, int lane) const;
+    void add_near_touches(const core::Vec3& centre, double radius, int begin, int end, Chunk& chunk) const;
+    static void drop_touches_behind(std::vector<Touch>& touches);
     void find_touches(const core::Vec3& centre, double radius, int begin, int end, Chunk& chunk) const;
     /// The springs of the contact among [first, last) of contacts_before of the most similar normal, which is spent; zero if there is none.
     [[nodiscard]] static core::Spring take_spring(Chunk& chunk, std::ptrdiff_t first, std::ptrdiff_t last, const core::Vec3& normal);
-    static void finish(const core::ParticleSet& particles, const ContactLaws& laws, SurfaceTouches& block, Chunk& chunk, ForceSums& sums);
+    /// Where forces go.
+    struct Sums {
+        ForceSums& particles;
+        WallLoad* wall; ///< None for a wall that is not reported.
+    };
+    void finish(const core::ParticleSet& particles, const ContactLaws& laws, SurfaceTouches& block, Chunk& chunk, const Sums& sums) const;
+    /// Where a centre is in the surface's own frame.
+    [[nodiscard]] core::Vec3 own(const core::Vec3& x) const { return frame_.moves() ? frame_.now().own(x) : x; }
 
+    /// Takes the contacts of owned particle i from its row of `history`.
+    void recall(int i, const core::ContactHistory& history, Chunk& chunk) const;
     void make_filters(const core::ParticleSet& particles, Chunk& chunk) const;
     void choose_near(const core::ParticleSet& particles, Chunk& chunk) const;
 
-    WallSurface surface_;
+    WallSurface surface_; ///< In its own frame.
+    WallFrame frame_;
+    int number_ = 0, report_ = -1;
     double near_skin_ = 0.0;
     std::vector<Chunk> chunks_;
 };

@@ -34,30 +34,27 @@ struct alignas(64) SurfaceTouches {
     [[nodiscard]] core::Vec3 normal(int k) const { return {nx[k], ny[k], nz[k]}; }
     [[nodiscard]] core::Vec3 tangential(int k) const { return {spring[0][k], spring[1][k], spring[2][k]}; }
     [[nodiscard]] core::Vec3 turn(int k) const { return {spring[3][k], spring[4][k], spring[5][k]}; }
+    [[nodiscard]] core::Vec3 force(int k) const { return {fx[k], fy[k], fz[k]}; }
+    [[nodiscard]] core::Vec3 couple(int k) const { return turning ? core::Vec3(tx[k], ty[k], tz[k]) : core::Vec3(core::Vec3::Zero()); }
     [[nodiscard]] WallMeeting at(int k) const { return {nx[k], ny[k], nz[k], mx[k], my[k], mz[k], depth[k]}; }
 
     /// Forces; moves the springs one step on. law_of(i) is the law of particle i.
     template <class LawOf>
     void evaluate(const ParticleColumns& columns, LawOf law_of)
     {
-        using Law = std::decay_t<decltype(law_of(0))>;
-        const SpringColumns springs{spring[0], spring[1], spring[2], spring[3], spring[4], spring[5]};
-        turning = Law::resists_turning;
-#pragma omp simd
-        for (int k = 0; k < count; ++k) {
-            const auto i = std::size_t(particle[k]);
-            const Law& law = law_of(i);
-            ContactInput in = wall_input(columns, i, at(k));
-            const auto out = move_springs(law, in, springs, k);
-            fx[k] = out.fx;
-            fy[k] = out.fy;
-            fz[k] = out.fz;
-            if constexpr (Law::resists_turning) {
-                tx[k] = out.mx;
-                ty[k] = out.my;
-                tz[k] = out.mz;
-            }
-        }
+        evaluate_at(columns, law_of, [this](int k, double) { return at(k); });
+    }
+    /// The same with a wall that moves.
+    template <class LawOf>
+    void evaluate_moving(const ParticleColumns& columns, LawOf law_of, const WallVelocity& velocity)
+    {
+        evaluate_at(columns, law_of,
+                    [this, &columns, velocity](int k, double half_step) { return meeting(columns, k, half_step, velocity); });
+    }
+    [[gnu::always_inline]] MovingMeeting meeting(const ParticleColumns& p, int k, double half_step, const WallVelocity& velocity) const
+    {
+        const auto i = std::size_t(particle[k]);
+        return velocity(at(k), p.x[i] - half_step * p.vx[i], p.y[i] - half_step * p.vy[i], p.z[i] - half_step * p.vz[i]);
     }
 
     /// Adds the forces to the sums of a chunk whose first particle is `first`, one after the other.
@@ -67,6 +64,31 @@ struct alignas(64) SurfaceTouches {
             const GeneralOutput out{{fx[k], fy[k], fz[k], 0.0, 0.0, 0.0, 0.0}, tx[k], ty[k], tz[k], 0.0, 0.0, 0.0};
             if (turning) add_wall_force(out, at(k), std::size_t(particle[k]) - first, sums);
             else add_wall_force(static_cast<const ContactOutput&>(out), at(k), std::size_t(particle[k]) - first, sums);
+        }
+    }
+
+private:
+    /// meeting_at(k, half a step) is where contact k is.
+    template <class LawOf, class MeetingAt>
+    [[gnu::always_inline]] void evaluate_at(const ParticleColumns& columns, LawOf law_of, MeetingAt meeting_at)
+    {
+        using Law = std::decay_t<decltype(law_of(0))>;
+        const SpringColumns springs{spring[0], spring[1], spring[2], spring[3], spring[4], spring[5]};
+        turning = Law::resists_turning;
+#pragma omp simd
+        for (int k = 0; k < count; ++k) {
+            const auto i = std::size_t(particle[k]);
+            const Law& law = law_of(i);
+            ContactInput in = wall_input(columns, i, meeting_at(k, 0.5 * law.step));
+            const auto out = move_springs(law, in, springs, k);
+            fx[k] = out.fx;
+            fy[k] = out.fy;
+            fz[k] = out.fz;
+            if constexpr (Law::resists_turning) {
+                tx[k] = out.mx;
+                ty[k] = out.my;
+                tz[k] = out.mz;
+            }
         }
     }
 };

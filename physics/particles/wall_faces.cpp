@@ -48,7 +48,9 @@ void WallFaces::find_sharp_edges(double smooth_angle)
         auto& sharp = sharp_.emplace_back();
         for (int k = 0; k < 4; ++k) {
             const int other = neighbour(f, k);
-            sharp[std::size_t(k)] = other < 0 || normal_[std::size_t(f)].normalized().dot(normal_[std::size_t(other)].normalized()) < least;
+            const bool has_length = vertex(f, k) != vertex(f, (k + 1) % 4);
+            sharp[std::size_t(k)] =
+                has_length && (other < 0 || normal_[std::size_t(f)].normalized().dot(normal_[std::size_t(other)].normalized()) < least);
         }
     }
 }
@@ -71,6 +73,16 @@ void WallFaces::find_sharp_corners()
                     (vertices_[std::size_t(to)] - vertices_[std::size_t(from)]).normalized());
 }
 
+/// What a face counts for in the normal of a vertex.
+double WallFaces::share_at(int face, int centre) const
+{
+    if (!has_three_corners(face)) return 1.0;
+    int k = 0;
+    while (vertex(face, k) != centre) ++k;
+    const Vec3 one = corner(face, (k + 1) % 3) - corner(face, k), two = corner(face, (k + 2) % 3) - corner(face, k);
+    return std::atan2(one.cross(two).norm(), one.dot(two));
+}
+
 /// Mean over the faces that are reached around the vertex without crossing a sharp edge.
 Vec3 WallFaces::corner_normal(int face, int k) const
 {
@@ -81,11 +93,12 @@ Vec3 WallFaces::corner_normal(int face, int k) const
             const int f = group[n];
             if (sharp(f, e) || (vertex(f, e) != centre && vertex(f, (e + 1) % 4) != centre)) continue;
             const int other = neighbour(f, e);
+            if (other < 0) continue; // the edge of no length of a face with three corners
             if (std::find(group.begin(), group.end(), other) == group.end()) group.push_back(other);
         }
     std::sort(group.begin(), group.end()); // the same sum for all faces of the group
     Vec3 sum = Vec3::Zero();
-    for (const int f : group) sum += normal_[std::size_t(f)].normalized();
+    for (const int f : group) sum += share_at(f, centre) * normal_[std::size_t(f)].normalized();
     return sum.normalized();
 }
 

@@ -18,7 +18,8 @@ public:
     WallFaces(std::span<const core::Vec3> vertices, std::span<const std::array<int, 4>> quads, double smooth_angle);
 
     [[nodiscard]] core::Vec3 corner(int face, int k) const { return vertices_[std::size_t(vertex(face, k))]; }
-    /// Normal of the smooth wall that the face belongs to, at its corner.
+    /// Normal of the smooth wall that the face belongs to, at its corner. Of faces with three corners each counts by its angle there
+    /// (Thuermer and Wuethrich 1998, Computing vertex normals from polygonal facets), so that long triangles on a cylinder give its own.
     [[nodiscard]] core::Vec3 corner_normal(int face, int k) const;
     /// Whether the faces at the edge meet at an angle, or the surface ends there.
     [[nodiscard]] bool sharp(int face, int k) const { return sharp_[std::size_t(face)][std::size_t(k)]; }
@@ -31,6 +32,8 @@ public:
 
 private:
     [[nodiscard]] int vertex(int face, int k) const { return quads_[std::size_t(face)][std::size_t(k)]; }
+    [[nodiscard]] bool has_three_corners(int face) const { return vertex(face, 2) == vertex(face, 3); }
+    [[nodiscard]] double share_at(int face, int centre) const;
     [[nodiscard]] int neighbour(int face, int k) const;
     void find_sharp_edges(double smooth_angle);
     void find_sharp_corners();

@@ -3,6 +3,7 @@
 #pragma once
 // The contact of a particle with a wall, from where they meet to the force.
 #include "physics/particles/force_sums.hpp"
+#include "physics/particles/wall_frame.hpp"
 
 namespace physics {
 
@@ -91,6 +92,40 @@ struct MovingMeeting : WallMeeting {
     in.uz -= at.oz;
     in.twist += 0.5 * (at.ox * at.nx + at.oy * at.ny + at.oz * at.nz);
     return in;
+}
+
+/// How the points of a moving wall move.
+struct WallVelocity {
+    double vx, vy, vz, ox, oy, oz; ///< Velocity of the wall's point at the origin [m/s]; spin [rad/s].
+
+    explicit WallVelocity(const WallPose& pose)
+    {
+        const core::Vec3 v = pose.velocity_at(core::Vec3::Zero());
+        vx = v[0];
+        vy = v[1];
+        vz = v[2];
+        ox = pose.spin[0];
+        oy = pose.spin[1];
+        oz = pose.spin[2];
+    }
+    /// @param x,y,z  The centre half a step ago [m].
+    [[gnu::always_inline]] MovingMeeting operator()(const WallMeeting& at, double x, double y, double z) const
+    {
+        const double cx = x + at.depth * at.mx, cy = y + at.depth * at.my, cz = z + at.depth * at.mz;
+        return {at, vx + (oy * cz - oz * cy), vy + (oz * cx - ox * cz), vz + (ox * cy - oy * cx), ox, oy, oz};
+    }
+};
+
+/// Power that a wall gives to a particle [W].
+[[gnu::always_inline]] inline double power_of(const ContactOutput& f, const MovingMeeting& at)
+{
+    return f.fx * at.ux + f.fy * at.uy + f.fz * at.uz;
+}
+
+/// The same with the torque against turning.
+[[gnu::always_inline]] inline double power_of(const GeneralOutput& f, const MovingMeeting& at)
+{
+    return power_of(static_cast<const ContactOutput&>(f), at) + f.mx * at.ox + f.my * at.oy + f.mz * at.oz;
 }
 
 /// Adds the force of one contact to the sums of particle k of the chunk.

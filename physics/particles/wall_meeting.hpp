@@ -3,13 +3,13 @@
 #pragma once
 // Where particles meet planes and cylinders, at rest or on their way, for vector code.
 #include "physics/particles/wall_force.hpp"
-#include "physics/particles/wall_frame.hpp"
 #include "physics/particles/walls.hpp"
 
 namespace physics {
 
 /// meet(x, y, z, hx, hy, hz): a centre and its way of the last half step [m].
 struct PlaneMeeting {
+    static constexpr bool moves = false;
     double px, py, pz, nx, ny, nz;
     explicit PlaneMeeting(const PlaneWall& w)
         : px(w.point[0]), py(w.point[1]), pz(w.point[2]), nx(-w.normal[0]), ny(-w.normal[1]), nz(-w.normal[2])
@@ -22,6 +22,7 @@ struct PlaneMeeting {
 };
 
 struct CylinderMeeting {
+    static constexpr bool moves = false;
     double px, py, pz, ax, ay, az, radius, outward;
     explicit CylinderMeeting(const CylinderWall& w)
         : px(w.point[0]),
@@ -50,34 +51,19 @@ struct CylinderMeeting {
 [[nodiscard]] inline PlaneMeeting meeting_of(const PlaneWall& w) { return PlaneMeeting(w); }
 [[nodiscard]] inline CylinderMeeting meeting_of(const CylinderWall& w) { return CylinderMeeting(w); }
 
-/// A wall that moves: its normal and the velocity of its surface half a step ago are those where the particle was then.
+/// A wall that moves or is reported: its normal and the velocity of its surface half a step ago are those where the particle was then.
 template <class Meeting>
 struct MovedMeeting {
+    static constexpr bool moves = true;
     Meeting now, before;
-    double vx, vy, vz, ox, oy, oz; ///< Velocity of the wall's point at the origin; spin.
+    WallVelocity velocity;
 
-    MovedMeeting(const Meeting& now_, const Meeting& before_, const WallPose& pose) : now(now_), before(before_)
-    {
-        const core::Vec3 v = pose.velocity_at(core::Vec3::Zero());
-        vx = v[0];
-        vy = v[1];
-        vz = v[2];
-        ox = pose.spin[0];
-        oy = pose.spin[1];
-        oz = pose.spin[2];
-    }
+    MovedMeeting(const Meeting& now_, const Meeting& before_, const WallPose& pose) : now(now_), before(before_), velocity(pose) {}
     [[gnu::always_inline]] MovingMeeting operator()(double x, double y, double z, double hx, double hy, double hz) const
     {
         const double ex = x - hx, ey = y - hy, ez = z - hz;
         const WallMeeting at = now(x, y, z, 0.0, 0.0, 0.0), earlier = before(ex, ey, ez, 0.0, 0.0, 0.0);
-        const double cx = ex + earlier.depth * earlier.nx, cy = ey + earlier.depth * earlier.ny, cz = ez + earlier.depth * earlier.nz;
-        return {{at.nx, at.ny, at.nz, earlier.nx, earlier.ny, earlier.nz, at.depth},
-                vx + (oy * cz - oz * cy),
-                vy + (oz * cx - ox * cz),
-                vz + (ox * cy - oy * cx),
-                ox,
-                oy,
-                oz};
+        return velocity({at.nx, at.ny, at.nz, earlier.nx, earlier.ny, earlier.nz, at.depth}, ex, ey, ez);
     }
 };
 

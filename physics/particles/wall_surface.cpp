@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "physics/particles/wall_surface.hpp"
 #include "core/base/error.hpp"
+#include "physics/particles/triangle_mesh.hpp"
 #include "physics/particles/wall_faces.hpp"
 
 #include <algorithm>
@@ -19,6 +20,9 @@ Vec3 bend_of(const Vec3& a, const Vec3& m, const Vec3& b, const Vec3& n)
     return (m + n) * ((chord.dot(n) - chord.dot(m)) / (2.0 * (1.0 + m.dot(n))));
 }
 
+/// Coordinates of a foot: each is 0 on the edge opposite to its corner and 1 in the corner.
+std::array<double, 3> weights_of(const PatchPlace<double>& foot) { return {1.0 - foot.one - foot.two, foot.one, foot.two}; }
+
 } // namespace
 
 WallSurface::WallSurface(std::span<const Vec3> vertices, std::span<const std::array<int, 4>> quads, double smooth_angle)
@@ -27,6 +31,31 @@ WallSurface::WallSurface(std::span<const Vec3> vertices, std::span<const std::ar
     spokes_ = faces.spokes();
     for (int f = 0; f < int(quads.size()); ++f) add_triangles(faces, f);
     fill_bins();
+}
+
+WallSurface::WallSurface(const TriangleMesh& mesh, double smooth_angle) : two_sided_(true)
+{
+    std::vector<std::array<int, 4>> quads;
+    for (const auto& [a, b, c] : mesh.triangles) quads.push_back({a, b, c, c});
+    const WallFaces faces(mesh.vertices, quads, smooth_angle);
+    spokes_ = faces.spokes();
+    for (int f = 0; f < int(quads.size()); ++f) add_whole(faces, f);
+    fill_bins();
+}
+
+/// A face with three corners.
+void WallSurface::add_whole(const WallFaces& faces, int face)
+{
+    constexpr std::array<int, 3> opposite{1, 3, 0}; // numbers of the edges; the third has no length
+    Triangle t;
+    for (std::size_t c = 0; c < 3; ++c) {
+        t.corner[c] = faces.corner(face, int(c));
+        t.vertex[c] = faces.sharp_vertex(face, int(c));
+        t.sharp[c] = faces.sharp(face, opposite[c]);
+        t.across[c] = faces.across(face, opposite[c]);
+    }
+    add_patch(t, {faces.corner_normal(face, 0), faces.corner_normal(face, 1), faces.corner_normal(face, 2)});
+    triangles_.push_back(t);
 }
 
 void WallSurface::add_triangles(const WallFaces& faces, int face)
@@ -46,8 +75,8 @@ void WallSurface::add_triangles(const WallFaces& faces, int face)
         if ((corner[b] - corner[a]).norm() == 0.0) continue; // a face with three corners
         Triangle t;
         t.corner = {centre, corner[a], corner[b]};
-        t.sharp = faces.sharp(face, k);
-        t.across = faces.across(face, k);
+        t.sharp[0] = faces.sharp(face, k);
+        t.across[0] = faces.across(face, k);
         t.vertex = {-1, faces.sharp_vertex(face, k), faces.sharp_vertex(face, (k + 1) % 4)};
         add_patch(t, {mean, normal[a], normal[b]});
         triangles_.push_back(t);
@@ -93,37 +122,47 @@ void WallSurface::add_patch(Triangle& t, const std::array<Vec3, 3>& normal)
         t.lean[c] = 1.01 * lean;
     }
     t.slope = {dual[0].norm(), dual[1].norm(), (dual[0] + dual[1]).norm()};
-    t.plain = !t.sharp && t.vertex[1] < 0 && t.vertex[2] < 0 && least > 0.5;
+    t.plain = std::max({t.vertex[0], t.vertex[1], t.vertex[2]}) < 0 && least > 0.5; // a sharp edge has sharp corners
+}
+
+bool WallSurface::beyond_sharp_edge(int triangle, const PatchPlace<double>& foot) const
+{
+    const Triangle& t = triangles_[std::size_t(triangle)];
+    const auto weight = weights_of(foot);
+    return (t.sharp[0] && weight[0] < 0.0) || (t.sharp[1] && weight[1] < 0.0) || (t.sharp[2] && weight[2] < 0.0);
 }
 
 bool WallSurface::meet_rim(int triangle, const PatchPlace<double>& foot, const Vec3& centre, SurfaceHit& hit) const
 {
     const Triangle& t = triangles_[std::size_t(triangle)];
-    if (t.sharp && 1.0 - foot.one - foot.two < 0.0) return meet_edge(t, centre, hit);
-    return (t.vertex[1] >= 0 && meet_corner(t, 1, centre, hit)) || (t.vertex[2] >= 0 && meet_corner(t, 2, centre, hit));
+    const auto weight = weights_of(foot);
+    for (std::size_t c = 0; c < 3; ++c)
+        if (t.sharp[c] && weight[c] < 0.0 && meet_edge(t, c, centre, hit)) return true;
+    for (std::size_t c = 0; c < 3; ++c)
+        if (t.vertex[c] >= 0 && meet_corner(t, c, centre, hit)) return true;
+    return false;
 }
 
 /// An edge is touched only where the centre lies beyond both faces that share it; elsewhere it is the shadow of a face.
-bool WallSurface::meet_edge(const Triangle& t, const Vec3& centre, SurfaceHit& hit) const
+bool WallSurface::meet_edge(const Triangle& t, std::size_t edge, const Vec3& centre, SurfaceHit& hit) const
 {
-    const Vec3 along = t.corner[2] - t.corner[1];
-    const double share = (centre - t.corner[1]).dot(along) / along.squaredNorm();
-    if (share < 0.0) return t.vertex[1] >= 0 && meet_corner(t, 1, centre, hit);
-    if (share > 1.0) return t.vertex[2] >= 0 && meet_corner(t, 2, centre, hit);
-    const Vec3 from = centre - (t.corner[1] + share * along);
+    const Vec3 begin = t.corner[(edge + 1) % 3], along = t.corner[(edge + 2) % 3] - begin;
+    const double share = (centre - begin).dot(along) / along.squaredNorm();
+    if (share < 0.0 || share > 1.0) return false; // perhaps a corner
+    const Vec3 from = centre - (begin + share * along);
     hit.depth = from.norm();
-    if (hit.depth == 0.0 || from.dot(t.across) > 1e-9 * hit.depth) return false;
+    if (hit.depth == 0.0 || from.dot(t.across[edge]) > 1e-9 * hit.depth) return false;
     hit.normal = from / hit.depth;
     return true;
 }
 
 /// A corner is touched only where the centre lies behind all edges that leave it.
-bool WallSurface::meet_corner(const Triangle& t, int corner, const Vec3& centre, SurfaceHit& hit) const
+bool WallSurface::meet_corner(const Triangle& t, std::size_t corner, const Vec3& centre, SurfaceHit& hit) const
 {
-    const Vec3 from = centre - t.corner[std::size_t(corner)];
+    const Vec3 from = centre - t.corner[corner];
     hit.depth = from.norm();
     if (hit.depth == 0.0) return false;
-    for (const Vec3& spoke : spokes_[std::size_t(t.vertex[std::size_t(corner)])])
+    for (const Vec3& spoke : spokes_[std::size_t(t.vertex[corner])])
         if (from.dot(spoke) > 1e-9 * hit.depth) return false;
     hit.normal = from / hit.depth;
     return true;

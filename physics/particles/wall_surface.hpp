@@ -10,6 +10,7 @@
 namespace physics {
 
 class WallFaces;
+struct TriangleMesh;
 
 /// Where a sphere may touch the surface.
 struct SurfaceHit {
@@ -40,7 +41,12 @@ public:
     /// @throws core::ConfigError for corners that do not exist and faces without area.
     WallSurface(std::span<const core::Vec3> vertices, std::span<const std::array<int, 4>> quads, double smooth_angle = 0.27);
 
+    /// Of triangles; particles meet it from both sides.
+    WallSurface(const TriangleMesh& mesh, double smooth_angle);
+
     [[nodiscard]] bool empty() const { return triangles_.empty(); }
+    /// Whether particles meet it from both sides, or stay on that of the normal.
+    [[nodiscard]] bool two_sided() const { return two_sided_; }
     /// Triangles that a sphere about `centre` may touch when it has gone up to `skin` [m], in rising order.
     void candidates(const core::Vec3& centre, double radius, double skin, std::vector<int>& found) const;
     /// Whether a sphere about `centre` may touch `triangle` when it has gone up to `skin` [m].
@@ -51,6 +57,8 @@ public:
     [[nodiscard]] const std::vector<WallPatch>& patches() const { return patches_; }
     /// Whether a triangle has no sharp edge and no sharp corner: it is met only where a foot is inside.
     [[nodiscard]] bool plain(int triangle) const { return triangles_[std::size_t(triangle)].plain; }
+    /// Whether a foot on the patch of `triangle` lies outside one of its sharp edges.
+    [[nodiscard]] bool beyond_sharp_edge(int triangle, const PatchPlace<double>& foot) const;
     /// Whether the centre faces a sharp edge or corner of `triangle`; each place of contact once, up to rounding.
     /// @param foot  Of the centre on the triangle's patch, outside the triangle.
     [[nodiscard]] bool meet_rim(int triangle, const PatchPlace<double>& foot, const core::Vec3& centre, SurfaceHit& hit) const;
@@ -63,17 +71,19 @@ private:
         std::array<double, 3> room, lean;      ///< A foot inside lies below a centre that is no further outside than room + lean depth.
         std::array<double, 3> slope;           ///< Of the barycentric coordinates [1/m].
         bool plain = true;                     ///< No sharp edge and no sharp corner.
-        bool sharp = false;                    ///< The edge opposite to corner 0, which is the quadrilateral's.
-        core::Vec3 across;                     ///< In the neighbour's plane, away from that edge; zero at the rim of the surface.
+        std::array<bool, 3> sharp{};           ///< Edges opposite to the corners; of a quadrilateral only that of corner 0 is its own.
+        std::array<core::Vec3, 3> across;      ///< In the neighbour's plane, away from that edge; zero at the rim of the surface.
         std::array<int, 3> vertex{-1, -1, -1}; ///< Number of the corner if it is sharp, or -1.
     };
     void add_triangles(const WallFaces& faces, int face);
+    void add_whole(const WallFaces& faces, int face);
     void add_patch(Triangle& triangle, const std::array<core::Vec3, 3>& normal);
     void fill_bins();
-    [[nodiscard]] bool meet_edge(const Triangle& triangle, const core::Vec3& centre, SurfaceHit& hit) const;
-    [[nodiscard]] bool meet_corner(const Triangle& triangle, int corner, const core::Vec3& centre, SurfaceHit& hit) const;
+    [[nodiscard]] bool meet_edge(const Triangle& triangle, std::size_t edge, const core::Vec3& centre, SurfaceHit& hit) const;
+    [[nodiscard]] bool meet_corner(const Triangle& triangle, std::size_t corner, const core::Vec3& centre, SurfaceHit& hit) const;
     [[nodiscard]] std::array<int, 3> bin(const core::Vec3& x) const;
 
+    bool two_sided_ = false;
     std::vector<Triangle> triangles_;
     std::vector<WallPatch> patches_;
     std::vector<std::vector<core::Vec3>> spokes_; // directions of the edges from each sharp corner

@@ -45,9 +45,48 @@ struct WallColumns {
     int begin, end;
 };
 
+/// What is noted of the contacts of one chunk with a wall that is reported.
+struct ContactNotes {
+    using Lane = std::array<double, core::particles_per_chunk>;
+    std::array<Lane, 3> force, couple, place;
+    Lane power;
+
+    /// @param x,y,z  Centre of the particle [m].
+    template <class Output>
+    [[gnu::always_inline]] void take(std::size_t k, double x, double y, double z, const MovingMeeting& at, const Output& f)
+    {
+        force[0][k] = f.fx;
+        force[1][k] = f.fy;
+        force[2][k] = f.fz;
+        if constexpr (std::is_same_v<Output, GeneralOutput>) {
+            couple[0][k] = f.mx;
+            couple[1][k] = f.my;
+            couple[2][k] = f.mz;
+        } else couple[0][k] = couple[1][k] = couple[2][k] = 0.0;
+        place[0][k] = x + at.depth * at.nx;
+        place[1][k] = y + at.depth * at.ny;
+        place[2][k] = z + at.depth * at.nz;
+        power[k] = power_of(f, at);
+    }
+    void add_to(WallLoad& load, int count, const Vec3& reference) const
+    {
+        const auto at = [](const std::array<Lane, 3>& lanes, std::size_t k) { return Vec3(lanes[0][k], lanes[1][k], lanes[2][k]); };
+        for (std::size_t k = 0; k < index_of(count); ++k)
+            if (const Vec3 push = at(force, k); !push.isZero(0.0)) load.add({push, at(couple, k), at(place, k) - reference, power[k]});
+    }
+};
+
+/// Of a wall that is neither reported nor moves.
+struct NoNotes {
+    template <class Output>
+    [[gnu::always_inline]] void take(std::size_t, double, double, double, const WallMeeting&, const Output&)
+    {
+    }
+};
+
 /// law_of(i) is the law of particle i.
-template <class Meet, class LawOf>
-void run_contacts(const core::ParticleSet& p, const WallColumns& wall, const Meet meet, const LawOf law_of, ForceSums& sums)
+template <class Meet, class LawOf, class Notes>
+void run_contacts(const core::ParticleSet& p, const WallColumns& wall, const Meet meet, const LawOf law_of, ForceSums& sums, Notes& notes)
 {
     const ParticleColumns columns(p);
     const SumColumns add(sums);
@@ -56,10 +95,12 @@ void run_contacts(const core::ParticleSet& p, const WallColumns& wall, const Mee
     for (int k = wall.begin; k < wall.end; ++k) {
         const auto i = index_of(wall.particle[k]);
         const auto& law = law_of(i);
-        const double half = 0.5 * law.step;
-        const auto at = meet(columns.x[i], columns.y[i], columns.z[i], half * columns.vx[i], half * columns.vy[i], half * columns.vz[i]);
+        const double half = 0.5 * law.step, x = columns.x[i], y = columns.y[i], z = columns.z[i];
+        const auto at = meet(x, y, z, half * columns.vx[i], half * columns.vy[i], half * columns.vz[i]);
         ContactInput in = wall_input(columns, i, at);
-        add_wall_force(move_springs(law, in, wall.springs, k), at, i - first, add);
+        const auto out = move_springs(law, in, wall.springs, k);
+        add_wall_force(out, at, i - first, add);
+        notes.take(index_of(k - wall.begin), x, y, z, at, out);
     }
 }
 
@@ -82,6 +123,7 @@ WallContacts::WallContacts(std::vector<Wall> walls) : walls_(std::move(walls)), 
         std::visit(
             [&](const auto& wall) {
                 lists_[w].frame = WallFrame(wall.motion);
+                lists_[w].report = wall.report;
                 lists_[w].same_shape = keeps_shape(wall);
             },
             walls_[w]);
@@ -94,7 +136,7 @@ void WallContacts::with_meeting(std::size_t w, Act act) const
     const List& list = lists_[w];
     std::visit(
         [&](const auto& wall) {
-            if (!list.frame.moves()) return act(meeting_of(wall));
+            if (!list.frame.moves() && list.report < 0) return act(meeting_of(wall));
             const WallPose &now = list.frame.now(), &before = list.frame.before();
             const auto own = meeting_of(wall);
             if (list.same_shape) act(MovedMeeting(own, own, before));
@@ -199,14 +241,17 @@ void WallContacts::append_row(int i, core::ContactHistory& history) const
     }
 }
 
-void WallContacts::add_forces(const core::ParticleSet& p, const ContactLaws& laws, int chunk, ForceSums& sums)
+void WallContacts::add_forces(const core::ParticleSet& p, const ContactLaws& laws, int chunk, ForceSums& sums, WallLoads loads)
 {
     for (std::size_t w = 0; w < walls_.size(); ++w) {
         auto& list = lists_[w];
         const WallColumns columns{list.near.particle.data(), spring_columns(list.near.spring), list.chunk_begin[index_of(chunk)],
                                   list.near_end[index_of(chunk)]};
-        with_meeting(w, [&](const auto& meet) {
-            with_wall_laws(laws, p, [&](const auto law_of) { run_contacts(p, columns, meet, law_of, sums); });
+        with_meeting(w, [&]<class Meet>(const Meet& meet) {
+            std::conditional_t<Meet::moves, ContactNotes, NoNotes> notes;
+            with_wall_laws(laws, p, [&](const auto law_of) { run_contacts(p, columns, meet, law_of, sums, notes); });
+            if constexpr (Meet::moves)
+                if (list.report >= 0) notes.add_to(loads[index_of(list.report)], columns.end - columns.begin, list.frame.now().axis_point);
         });
     }
 }

@@ -4,6 +4,7 @@
 // Contact of particles with planes and cylinders.
 #include "physics/particles/force_sums.hpp"
 #include "physics/particles/wall_frame.hpp"
+#include "physics/particles/wall_load.hpp"
 
 #include <variant>
 
@@ -14,6 +15,7 @@ struct PlaneWall {
     core::Vec3 point = core::Vec3::Zero();   ///< [m]
     core::Vec3 normal = core::Vec3::UnitZ(); ///< Towards the particles; made a unit vector on entry.
     WallMotion motion = {};
+    int report = -1; ///< Which of the loads its own is; none if negative.
 };
 
 enum class CylinderSide { inside, outside };
@@ -25,6 +27,7 @@ struct CylinderWall {
     double radius = 1.0;                   ///< [m]
     CylinderSide particles = CylinderSide::inside;
     WallMotion motion = {};
+    int report = -1; ///< Which of the loads its own is; none if negative.
 };
 
 using Wall = std::variant<PlaneWall, CylinderWall>;
@@ -42,8 +45,9 @@ public:
     /// Appends the springs of owned particle i to the last row of `history`.
     void append_row(int i, core::ContactHistory& history) const;
     /// Adds the forces of the walls to those of `chunk`, wall by wall, and moves the springs one step on.
-    /// @param laws  One for each species, or one for all.
-    void add_forces(const core::ParticleSet& particles, const ContactLaws& laws, int chunk, ForceSums& sums);
+    /// @param laws   One for each species, or one for all.
+    /// @param loads  Of the walls that are reported; moments about the points of their axes.
+    void add_forces(const core::ParticleSet& particles, const ContactLaws& laws, int chunk, ForceSums& sums, WallLoads loads);
     [[nodiscard]] bool empty() const { return walls_.empty(); }
 
     void move_to(const WallTime& at);
@@ -60,6 +64,7 @@ private:
     /// Contacts of one wall, in order of the particles.
     struct List {
         WallFrame frame;
+        int report;
         bool same_shape; ///< The motion maps the wall onto itself: only its surface moves.
         Contacts all;
         std::vector<int> chunk_begin;

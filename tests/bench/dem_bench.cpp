@@ -133,7 +133,7 @@ physics::ParticleDynamics dynamics_of(const Case& scene, const Options& options)
     if (!scene.pipe) walls.push_back(physics::PlaneWall{Vec3::Zero(), Vec3::UnitZ()});
     else if (!faces) walls.push_back(physics::CylinderWall{axis, Vec3::UnitZ(), pipe_radius});
     physics::ParticleDynamics dynamics(scene.domain, parameters_of(scene, options), walls, time_step);
-    if (faces) dynamics.set_surface(pipe_of_faces(scene, axis));
+    if (faces) dynamics.add_surface(pipe_of_faces(scene, axis));
     for (const auto& sphere : scene.spheres) dynamics.particles.add(sphere);
     return dynamics;
 }

@@ -28,7 +28,7 @@ physics::ParticleDynamics pipe_scene()
     physics::ParticleDynamics dynamics(domain, test::material(1000, 0.6, 0.5), {}, 1e-5);
     auto faces = test::pipe(15e-3, 52e-3, 48, 13); // 10 mm beyond both ends
     for (auto& vertex : faces.vertices) vertex += Vec3(-10e-3, 16e-3, 16e-3);
-    dynamics.set_surface(physics::WallSurface(faces.vertices, faces.quads));
+    dynamics.add_surface(physics::WallSurface(faces.vertices, faces.quads));
     return dynamics;
 }
 

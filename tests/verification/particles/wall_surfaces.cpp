@@ -28,7 +28,7 @@ double rolling_energy_error(const Faces& faces, double smooth_angle, const Vec3&
     const auto parameters = test::material(stiffness, 1.0, 0.8);
     const double mass = 4.0 / 3.0 * std::numbers::pi * 1e-9 * 2500;
     physics::ParticleDynamics dynamics({}, parameters, {}, physics::contact_time(parameters.walls[0], mass) / 50);
-    dynamics.set_surface(physics::WallSurface(faces.vertices, faces.quads, smooth_angle));
+    dynamics.add_surface(physics::WallSurface(faces.vertices, faces.quads, smooth_angle));
     const double press = mass * (speed * speed / arm0 + g) / stiffness;
     auto ball = test::sphere(0, Vec3(20e-3, -(arm0 + press), 0), radius);
     ball.velocity = Vec3(0, 0, speed) + drift;
@@ -49,7 +49,7 @@ Vec3 static_force(const Faces& faces, const Vec3& centre, double radius)
 {
     const double step = 1e-9;
     physics::ParticleDynamics dynamics({}, test::material(1000, 1.0, 0.5), {}, step);
-    dynamics.set_surface(physics::WallSurface(faces.vertices, faces.quads));
+    dynamics.add_surface(physics::WallSurface(faces.vertices, faces.quads));
     dynamics.particles.add(test::sphere(0, centre, radius));
     test::run(dynamics, Vec3::Zero(), 1);
     return dynamics.particles.mass[0] / step * dynamics.particles.velocity_of(0);
@@ -65,7 +65,7 @@ std::map<std::int64_t, std::array<double, 9>> thrown_balls(double skin, double n
     const std::vector<physics::Wall> ends{physics::PlaneWall{Vec3(0.5e-3, 0, 0), Vec3::UnitX()},
                                           physics::PlaneWall{Vec3(39e-3, 0, 0), -Vec3::UnitX()}};
     physics::ParticleDynamics dynamics({}, parameters, ends, 1e-5);
-    dynamics.set_surface(physics::WallSurface(faces.vertices, faces.quads));
+    dynamics.add_surface(physics::WallSurface(faces.vertices, faces.quads));
     for (int n = 0; n < 60; ++n) {
         auto ball = test::sphere(n, Vec3(2.5e-3 + 3.5e-3 * (n % 10), -4e-3 + 4e-3 * (n / 10 % 3), -2e-3 + 4e-3 * (n / 30)),
                                  1e-3 + 0.5e-3 * (n % 2));
@@ -117,7 +117,7 @@ TEST_CASE("friction goes on across the joints of faces")
     const double r = 1e-3, stiffness = 1e4, g = 9.81, mass = 4.0 / 3.0 * std::numbers::pi * 1e-9 * 2500;
     const auto parameters = test::material(stiffness, 0.5, 0.5);
     physics::ParticleDynamics dynamics({}, parameters, {}, physics::contact_time(parameters.walls[0], mass) / 50);
-    dynamics.set_surface(physics::WallSurface(plane.vertices, plane.quads));
+    dynamics.add_surface(physics::WallSurface(plane.vertices, plane.quads));
     dynamics.particles.add(test::sphere(0, Vec3(15e-3, 0.1e-3, r - mass * g / stiffness), r));
     const double time = 0.02, pull = 2.0;
     test::run(dynamics, Vec3(0, pull, -g), int(time / dynamics.step()));

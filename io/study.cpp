@@ -17,6 +17,7 @@ static void describe(Schema& s, StudyVariation& p)
     s.value("cells", "Cells of a pipe: [across, along] for each choice", list_value(p.cells, "", at_least(1)));
     s.value("steps_per_period", "Time steps in a period of the drive", list_value(p.steps_per_period, "", at_least(4)));
     s.list("knobs", p.knobs, "Anything else in the scene");
+    s.value("seeds", p.seeds, "", "Runs of each case of an ensemble, with run.random_seed from 1 on", at_least(0));
 }
 
 namespace {
@@ -51,6 +52,9 @@ std::vector<Dimension> axes_of(const Study& study, const Scene& base)
         axes.push_back({knob.name, {}});
         for (const std::string& text : knob.set) axes.back().choices.push_back({text.substr(text.find('=') + 1), {text}});
     }
+    Dimension seeds{std::string(seed_axis), {}};
+    for (int n = 1; n <= study.vary.seeds; ++n) seeds.choices.push_back({std::to_string(n), {fmt::format("run.random_seed={}", n)}});
+    if (!seeds.choices.empty()) axes.push_back(seeds);
     return axes;
 }
 
@@ -70,6 +74,11 @@ void check(const Study& study, const Scene& base)
     const bool harmonic = base.fluid && base.fluid->drive && base.fluid->drive->frequency;
     core::require<ConfigError>(study.vary.steps_per_period.empty() || harmonic,
                                "vary.steps_per_period needs fluid.drive.frequency in the scene");
+    core::require<ConfigError>((study.error == StudyError::ensemble) == (study.vary.seeds > 0),
+                               "error: ensemble and vary.seeds need each other: write both, or neither");
+    core::require<ConfigError>(study.vary.seeds != 1, "vary.seeds: one run has no confidence interval; write 2 or more, better 10");
+    core::require<ConfigError>(study.error != StudyError::ensemble || !base.particles.empty(),
+                               "error: ensemble needs particles: without them nothing in a scene is random");
     if (study.error != StudyError::womersley) return;
     core::require<ConfigError>(
         harmonic && base.fluid->drive->pressure_gradient && base.grid.pipe && base.particles.empty() && base.fluid->material.viscosity > 0,
@@ -96,8 +105,11 @@ void describe(Schema& s, Study& p)
 {
     s.required("name", p.name, "", "What the study shows");
     s.required("scene", "The scene, or the path of its file or folder", scene_value(p.scene));
-    s.required("error", "womersley: against the exact oscillating flow, started from it; self: against the finest case",
-               choice_of(p.error, study_error_words));
+    s.required(
+        "error",
+        "womersley: against the exact oscillating flow, started from it; self: against the finest case; ensemble: none, but means over "
+        "vary.seeds with 95 % confidence",
+        choice_of(p.error, study_error_words));
     s.value("periods", p.periods, "", "Periods of the drive to run; the error is that of the last", at_least(1));
     s.value("repeats", p.repeats, "", "Runs of each case, of which the fastest counts", at_least(1));
     s.required_group("vary", p.vary, "What is varied: all combinations are run");

@@ -6,8 +6,8 @@
 
 namespace io {
 
-enum class StudyError { womersley, self };
-inline constexpr std::array<std::string_view, 2> study_error_words{"womersley", "self"};
+enum class StudyError { womersley, self, ensemble };
+inline constexpr std::array<std::string_view, 3> study_error_words{"womersley", "self", "ensemble"};
 
 /// Cells over the diameter and along the axis of a pipe.
 struct CellPair {
@@ -25,6 +25,7 @@ struct StudyVariation {
     std::vector<CellPair> cells;
     std::vector<int> steps_per_period;
     std::vector<StudyKnob> knobs;
+    int seeds = 0; ///< of an ensemble: runs that differ in run.random_seed alone
 };
 
 struct Study {
@@ -37,6 +38,9 @@ struct Study {
 };
 
 void describe(Schema& s, Study& study);
+
+/// Name of the axis along which the runs of an ensemble lie.
+inline constexpr std::string_view seed_axis = "seed";
 
 /// One combination of choices.
 struct StudyCase {

@@ -4,6 +4,7 @@
 #include "core/base/error.hpp"
 #include "io/log_plot.hpp"
 #include "io/manifest.hpp"
+#include "io/study_ensemble.hpp"
 #include "io/version.hpp"
 #include <algorithm>
 #include <fmt/format.h>
@@ -26,7 +27,10 @@ std::string number(const std::optional<double>& value, const char* form = "{:.2f
     return value ? fmt::format(fmt::runtime(form), *value) : std::string();
 }
 
-std::optional<double> known(const StudyRun& run, double error) { return run.is_reference ? std::optional<double>() : error; }
+std::optional<double> known(const StudyRun& run, double error)
+{
+    return run.is_reference || !run.metrics.empty() ? std::optional<double>() : error;
+}
 
 nlohmann::ordered_json or_null(const std::optional<double>& value)
 {
@@ -94,6 +98,8 @@ std::string curve_name(const StudyReport& report, const StudyRun& run)
 
 StudyReport report_of(const StudyPlan& plan, const std::vector<StudyRun>& runs, const core::Communicator& ranks)
 {
+    if (plan.study.error == StudyError::ensemble)
+        return {plan, runs, std::vector<ObservedOrders>(runs.size()), std::vector<bool>(runs.size())};
     return {plan, runs, observed_orders(runs, ranks), pareto_front(runs)};
 }
 
@@ -101,7 +107,7 @@ std::string progress_text(const StudyPlan& plan, const StudyRun& run)
 {
     std::vector<std::string> words;
     for (std::size_t a = 0; a < run.labels.size(); ++a) words.push_back(plan.axes[a] + " " + run.labels[a]);
-    const std::string error = plan.study.error == StudyError::self ? "" : fmt::format(": e_2 = {:.3e}", run.error.e_2);
+    const std::string error = plan.study.error != StudyError::womersley ? "" : fmt::format(": e_2 = {:.3e}", run.error.e_2);
     std::string text = fmt::format("{}{}, {} steps in {:.2f} s", joined(words, ", "), error, run.steps, run.wall);
     for (const std::string& warning : run.warnings) text += "\n  " + warning;
     return text;
@@ -179,7 +185,9 @@ void write_report(const StudyReport& report, const std::filesystem::path& folder
     core::require<core::FileError>(!failure, folder.string() + " cannot be made: " + failure.message());
     write_text(folder / "study.csv", csv_text(report));
     write_text(folder / "study.json", json_text(report));
-    write_text(folder / "study.svg", plot_text(report));
+    if (report.plan.study.error == StudyError::ensemble)
+        write_text(folder / "ensemble.csv", ensemble_csv(report.plan, ensemble_of(report.plan, report.runs)));
+    else write_text(folder / "study.svg", plot_text(report));
 }
 
 } // namespace io

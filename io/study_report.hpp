@@ -26,7 +26,7 @@ struct StudyReport {
 /// Error against core-seconds, one curve for each choice of everything but the cells, and the front; SVG.
 [[nodiscard]] std::string plot_text(const StudyReport& report);
 
-/// study.csv, study.json and study.svg. @throws core::FileError
+/// study.csv, study.json, and study.svg or, of ensembles, ensemble.csv. @throws core::FileError
 void write_report(const StudyReport& report, const std::filesystem::path& folder);
 
 } // namespace io

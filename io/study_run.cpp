@@ -70,6 +70,10 @@ StudyRun run_once(const Study& study, const StudyCase& one, const core::Communic
     run.labels = one.labels;
     run.ranks = ranks.size();
     run.threads = resources.threads;
+    const bool ensemble = study.error == StudyError::ensemble;
+    const std::vector<MetricGroup> groups = ensemble ? state_metrics(world) : std::vector<MetricGroup>{};
+    for (const MetricGroup& group : groups) run.metrics.insert(run.metrics.end(), group.names.begin(), group.names.end());
+    run.at_start = values_of(groups);
     StopWatch watch;
     const double until = one.scene.run.until * (1 - 1e-9);
     while (world.time() < until) {
@@ -80,6 +84,7 @@ StudyRun run_once(const Study& study, const StudyCase& one, const core::Communic
         std::visit([](auto& m) { m.after_step(); }, meter);
         for (std::string& warning : world.take_warnings()) run.warnings.push_back(std::move(warning));
     }
+    run.at_the_end = values_of(groups);
     run.steps = long(world.clock().step);
     run.cells = world.mesh().total_cells();
     for (const Species& s : one.scene.particles) run.particles += s.count.value_or(0);

@@ -30,6 +30,8 @@ struct StudyRun {
     bool is_reference = false; ///< its error is not known
     std::vector<double> trace; ///< of this rank; see study_error.hpp
     std::vector<std::string> warnings;
+    std::vector<std::string> metrics;         ///< of an ensemble: names of
+    std::vector<double> at_start, at_the_end; ///< their values
 
     [[nodiscard]] double core_seconds() const { return wall * ranks * threads; }
     [[nodiscard]] double cell_steps_per_second() const { return double(cells) * double(steps) / wall; }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/world.hpp"
 #include "core/base/error.hpp"
+#include "io/coupling_builder.hpp"
 #include "io/finite_check.hpp"
 #include "io/grid_builder.hpp"
 #include "io/initial_grains.hpp"

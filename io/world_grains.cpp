@@ -25,18 +25,6 @@ double sub_step(const Scene& scene, double lightest, const physics::ParticlePara
     return physics::choose_step(limits, limits.contact_time / scene.contact->steps_per_contact);
 }
 
-physics::MagnusLaw magnus_law(MagnusLaw chosen)
-{
-    switch (chosen) {
-    case MagnusLaw::lun_liu: return physics::MagnusLaw::lun_liu;
-    case MagnusLaw::rubinow_keller: return physics::MagnusLaw::rubinow_keller;
-    case MagnusLaw::seed: return physics::MagnusLaw::tsuji;
-    }
-    return physics::MagnusLaw::lun_liu;
-}
-
-bool wanted(Switch choice, bool otherwise) { return choice == Switch::automatic ? otherwise : choice == Switch::on; }
-
 } // namespace
 
 physics::ParticleDynamics make_dynamics(const Scene& scene, const GrainCensus& census, const core::Mesh& mesh)
@@ -74,39 +62,6 @@ double bed_stiffness(const Scene& scene, const GrainCensus& census, const core::
         layers = physics::bed_layers(domain, gravity_of(scene), grains * census.volume / double(census.count), census.smallest);
     const double normal = scene.contact->stiffness;
     return physics::bed_stiffness(physics::layer_stiffness(normal, scene.contact->tangential_ratio * normal), layers);
-}
-
-physics::CouplingParameters coupling_parameters(const Scene& scene, const GrainCensus& census)
-{
-    const Coupling coupling = scene.coupling.value_or(Coupling{});
-    const bool seed = coupling.preset == CouplingPreset::seed;
-    const double lightest_ratio = census.least_density / scene.fluid->material.density;
-    constexpr double heavy = 150; // above it added mass is below 1 % (NUMERICS E)
-    physics::CouplingParameters p;
-    p.fluid_density = scene.fluid->material.density;
-    p.viscosity = scene.fluid->material.viscosity * p.fluid_density;
-    p.gravity = gravity_of(scene);
-    p.drag = coupling.chosen_drag() == DragLaw::seed ? physics::DragLaw::kawaguchi : physics::DragLaw::di_felice;
-    if (seed) p.force = physics::FluidForce::material_derivative;
-    p.magnus = magnus_law(coupling.chosen_magnus());
-    p.added_mass = wanted(coupling.added_mass, seed || lightest_ratio < heavy) ? 0.5 : 0.0;
-    p.lift = wanted(coupling.lift, seed || lightest_ratio < heavy);
-    p.torque = wanted(coupling.torque, true);
-    p.filter_width = coupling.filter.in_diameters ? coupling.filter.value * census.mean_diameter() : coupling.filter.value;
-    return p;
-}
-
-std::optional<physics::Mode> asked_mode(const Scene& scene)
-{
-    const CouplingMode mode = scene.coupling.value_or(Coupling{}).mode;
-    switch (mode) {
-    case CouplingMode::automatic: break;
-    case CouplingMode::pipelined: return physics::Mode::pipelined;
-    case CouplingMode::coarse: return physics::Mode::coarse;
-    case CouplingMode::concurrent: return physics::Mode::concurrent;
-    case CouplingMode::iterated: return physics::Mode::iterated;
-    }
-    return std::nullopt;
 }
 
 } // namespace io

@@ -4,7 +4,6 @@
 // The particles of a scene: their laws, their walls, their places at the start.
 #include "core/grid/mesh.hpp"
 #include "io/grain_census.hpp"
-#include "physics/coupling/parameters.hpp"
 #include "physics/particles/stepper.hpp"
 
 namespace io {
@@ -21,11 +20,5 @@ void add_grains(const std::vector<core::Sphere>& grains, const physics::OwnerOf&
 /// How stiff a bed of all grains is as a whole, per grain [N/m].
 /// @param grains  Number of all ranks: an exact one, by which all ranks choose alike.
 [[nodiscard]] double bed_stiffness(const Scene& scene, const GrainCensus& census, const core::Domain& domain, double grains);
-
-/// @pre scene.fluid and particles
-[[nodiscard]] physics::CouplingParameters coupling_parameters(const Scene& scene, const GrainCensus& census);
-
-/// The mode of coupling that the scene insists on; none for `auto`. @throws core::ConfigError for one that no step has.
-[[nodiscard]] std::optional<physics::Mode> asked_mode(const Scene& scene);
 
 } // namespace io

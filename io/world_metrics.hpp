@@ -14,6 +14,11 @@ struct MetricGroup {
     std::function<std::vector<double>()> values; ///< collective; the same on every rank, for any number of ranks
 };
 
+/// What the state of a world alone tells: all but the step and the books of momentum.
+[[nodiscard]] std::vector<MetricGroup> state_metrics(World& world);
+/// One after the other. Collective.
+[[nodiscard]] std::vector<double> values_of(const std::vector<MetricGroup>& groups);
+
 class WorldMetrics {
 public:
     /// @param restart_time  Goes on with the table of an earlier run [s].

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // How long the next step of a World may be.
 #include "core/base/error.hpp"
+#include "io/coupling_builder.hpp"
 #include "io/physics_builder.hpp"
 #include "io/world.hpp"
 #include "io/world_grains.hpp"

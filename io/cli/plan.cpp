@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // isago plan: what would run, what is left out and why, and what it costs in memory.
 #include "io/cli/command.hpp"
+#include "io/force_report.hpp"
 #include "io/grid_report.hpp"
 #include "io/scene_reader.hpp"
 #include "io/world.hpp"
@@ -40,7 +41,8 @@ int plan(const std::string& scene_path, const std::vector<std::string>& override
         fmt::print("faces lie straight between cells: no gradients in cells for viscosity, seven points for pressure\n");
     if (!world.grains()) fmt::print("no particles: no particle stage, no fluid fraction\n");
     if (world.coupling())
-        fmt::print("coupling {}\nwhile the grains move, the fluid lane may: {}\n", world.mode_reason(), work_beside_grains(*world.plan()));
+        fmt::print("coupling {}\nwhile the grains move, the fluid lane may: {}\n{}", world.mode_reason(), work_beside_grains(*world.plan()),
+                   force_report(scene));
     fmt::print("\n{}\n", grid_report(world.mesh()));
     std::cout << report;
     return exit_success;

@@ -5,6 +5,7 @@
 #include "io/cli/parallel_options.hpp"
 #include "io/rank_zero.hpp"
 #include "io/run_directory.hpp"
+#include "io/study_ensemble.hpp"
 #include "io/study_report.hpp"
 #include <fmt/format.h>
 #include <memory>
@@ -43,7 +44,9 @@ int run(const Arguments& a, Invocation invocation)
     const auto runs = run_study(plan, ranks, resources, [&](const StudyRun& one) { say(progress_text(plan, one)); });
     const StudyReport report = report_of(plan, runs, ranks);
     on_rank_zero<core::FileError>(ranks, [&] { write_report(report, output_folder(a)); });
-    say(fmt::format("\n{}written to {}", table_text(report), output_folder(a).string()));
+    const bool ensemble = plan.study.error == StudyError::ensemble;
+    const std::string table = ensemble ? ensemble_table(plan, ensemble_of(plan, runs)) : table_text(report);
+    say(fmt::format("\n{}written to {}", table, output_folder(a).string()));
     return exit_success;
 }
 
@@ -54,7 +57,7 @@ Command study_command()
     auto a = std::make_shared<Arguments>(); // shared: the options and run() both need it
     std::vector<Option> options{
         {"study", "A study.yaml or its folder", &a->study, true},
-        {"-o,--output", "Folder of study.csv, study.json and study.svg; runs/<scene>_study by default", &a->output}};
+        {"-o,--output", "Folder of study.csv, study.json and study.svg or ensemble.csv; runs/<scene>_study by default", &a->output}};
     for (const Option& option : parallel_options(a->parallel)) options.push_back(option);
     return {"study", "Measure error against run time", options, [a](const Invocation& invocation) { return run(*a, invocation); }};
 }

@@ -76,19 +76,26 @@ struct SuspensionNumbers {
     return suspension * drag_wen_yu(in) + (1.0 - suspension) * drag_ergun(in);
 }
 
+/// Drag of one sphere, C_D pi/8 d^2 rho U^2 over |u-v| and phi, U = phi |u-v|, C_D = (0.63 + 4.8 / sqrt Re)^2 [kg/s].
+/// C_D Re is written (0.63 sqrt Re + 4.8)^2, finite at zero slip.
+/// @source  Dalla Valle (1948).
+[[nodiscard]] inline double drag_dalla_valle(double reynolds, const DragInput& in)
+{
+    const double root = 0.63 * std::sqrt(reynolds) + 4.8;
+    return std::numbers::pi / 8.0 * in.viscosity * in.diameter * root * root;
+}
+
 /// Default: smooth in phi and slip from one grain to the packed bed, fit for beds that move [kg/s].
 /// Force = C_D pi/8 d^2 rho U^2 phi^-chi with U = phi |u-v|, beside the pressure-gradient force V(-grad p) (set II);
-/// C_D = (0.63 + 4.8 / sqrt Re)^2, Re = rho U d / mu, chi = 3.7 - 0.65 exp(-(1.5 - log10 Re)^2 / 2).
-/// C_D Re is written (0.63 sqrt Re + 4.8)^2, finite at zero slip.
+/// Re = rho U d / mu, chi = 3.7 - 0.65 exp(-(1.5 - log10 Re)^2 / 2).
 /// @source  Di Felice (1994); Dalla Valle (1948) for C_D.
 [[nodiscard]] inline double drag_di_felice(const DragInput& in)
 {
     const double phi = std::max(in.phi, smallest_closure_fraction);
     const double reynolds = in.density * phi * in.slip * in.diameter / in.viscosity;
-    const double root = 0.63 * std::sqrt(reynolds) + 4.8;
     const double decades = 1.5 - std::log10(std::max(reynolds, 1e-12));
     const double chi = 3.7 - 0.65 * std::exp(-0.5 * decades * decades);
-    return std::numbers::pi / 8.0 * in.viscosity * in.diameter * root * root * std::pow(phi, 1.0 - chi);
+    return drag_dalla_valle(reynolds, in) * std::pow(phi, 1.0 - chi);
 }
 
 } // namespace physics

@@ -51,6 +51,7 @@ struct ExchangeFields {
           assumed({"sums over assumed grains", "", 1, false}, mesh.own_cells()),
           told({"told state", "", 1, false}, mesh.own_cells()),
           vorticity({"vorticity for grains", "1/s", 1, false}, mesh.own_cells()),
+          surface({"surface of grains", "1/m", 1, false}, mesh.own_cells()),
           news({"answer for grains", "", 1, false}, mesh.own_cells()),
           advected({"advected velocity u^a", "m/s", 0, false}, mesh.own_cells()),
           miss({"untold change of velocity", "m/s", 0, false}, mesh.own_cells()),
@@ -71,6 +72,7 @@ struct ExchangeFields {
     core::FieldBatch<grain_sums> sums, assumed; ///< of the grains as they are, and as a fluid lane takes them that does not wait
     core::FieldBatch<told_views> told;          ///< filtered state that the grains are told
     core::FieldBatch<3> vorticity;
+    core::FieldBatch<1> surface; ///< put(V / d): C over the Sauter diameter of the grains around; of mixtures alone [1/m]
     core::FieldBatch<grain_news> news;
     core::VectorField advected; ///< u^a: advection and viscosity alone
     core::VectorField miss, change;

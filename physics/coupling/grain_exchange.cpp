@@ -1,33 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #include "physics/coupling/grain_exchange.hpp"
-#include "physics/coupling/added_mass.hpp"
 #include "physics/coupling/contact_share.hpp"
-#include "physics/coupling/lift.hpp"
-#include "physics/coupling/torque.hpp"
+#include "physics/coupling/grain_tables.hpp"
 #include "physics/coupling/true_up.hpp"
 
 namespace physics {
-namespace {
 
-constexpr double sphere = std::numbers::pi / 6.0;
-
-double cubed(double x) { return x * x * x; }
-double volume_of(const core::ParticleSet& grains, int g) { return 8.0 * sphere * cubed(grains.radius[std::size_t(g)]); }
-
-core::Vec3 at(const GrainTable& table, std::size_t first, int g)
-{
-    const auto k = std::size_t(g);
-    return {table[first][k], table[first + 1][k], table[first + 2][k]};
-}
-
-void put(core::ParticleSet& grains, int first, int g, const core::Vec3& value)
-{
-    for (int a = 0; a < 3; ++a) grains.columns[std::size_t(first + a)][std::size_t(g)] = value[a];
-}
-
-} // namespace
-
+using grain_tables::at, grain_tables::put, grain_tables::volume_of;
 ExchangeColumns add_exchange_columns(core::ParticleSet& grains, const CouplingParameters& parameters)
 {
     const auto three = [&] {
@@ -49,6 +29,9 @@ ExchangeColumns add_exchange_columns(core::ParticleSet& grains, const CouplingPa
     c.extra_force = parameters.force == FluidForce::material_derivative ? three() : -1;
     c.drag = grains.add_column();
     c.added_mass = grains.add_column();
+    c.wake = parameters.own_disturbance ? three() : -1;
+    c.history = parameters.history ? grains.add_column() : -1;
+    for (int n = 1; parameters.history && n < history_columns; ++n) grains.add_column();
     return c;
 }
 
@@ -56,84 +39,6 @@ core::Vec3 GrainExchange::column(const core::ParticleSet& grains, int first, int
 {
     const auto value = [&](int a) { return grains.columns[std::size_t(first + a)][std::size_t(g)]; };
     return {value(0), value(1), value(2)};
-}
-
-double GrainExchange::drag_at(const core::ParticleSet& grains, int g, const GrainTable& views, double fraction) const
-{
-    const double slip = (at(views, view_velocity, g) - grains.velocity_of(g)).norm();
-    return drag_coefficient(parameters_, slip, fraction, 2.0 * grains.radius[std::size_t(g)]);
-}
-
-void GrainExchange::freeze_drag(core::ParticleSet& grains, const GrainTable& views, std::span<const double> fraction) const
-{
-    auto& drag = grains.columns[std::size_t(columns_.drag)];
-    for (int g = 0; g < grains.owned; ++g) drag[std::size_t(g)] = drag_at(grains, g, views, fraction[std::size_t(g)]);
-}
-
-void GrainExchange::revise(core::ParticleSet& grains, const GrainTable& views, std::span<const double> fraction) const
-{
-    auto& drag = grains.columns[std::size_t(columns_.drag)];
-    for (int g = 0; g < grains.owned; ++g) {
-        const auto k = std::size_t(g);
-        drag[k] = 0.5 * (drag[k] + drag_at(grains, g, views, fraction[k]));
-        grains.columns[std::size_t(columns_.hold)][k] = 0.0;
-    }
-}
-
-core::Vec3 GrainExchange::tell(core::ParticleSet& grains, int g, const core::Vec3& acceleration, double dt) const
-{
-    const double hold = grains.columns[std::size_t(columns_.hold)][std::size_t(g)];
-    const core::Vec3 told = told_acceleration<core::Vec3>(acceleration, column(grains, columns_.told, g), hold);
-    put(grains, columns_.told, g, told);
-    put(grains, columns_.untold, g, dt * (acceleration - told));
-    return told;
-}
-
-void GrainExchange::load(core::ParticleSet& grains, const GrainTable& views, const core::Vec3& drive, const GrainStep& step) const
-{
-    const CouplingParameters& p = parameters_;
-    clear_impulses(grains, wet_);
-    for (int g = 0; g < grains.owned; ++g) {
-        const auto k = std::size_t(g);
-        const double volume = volume_of(grains, g), diameter = 2.0 * grains.radius[k];
-        const core::Vec3 velocity = grains.velocity_of(g), fluid = at(views, view_velocity, g), vorticity = at(views, view_vorticity, g);
-        const core::Vec3 force = at(views, view_pressure_force, g) + at(views, view_stress, g);
-        const double mass = added_mass(p.added_mass, p.fluid_density, volume);
-        const core::Vec3 delivered = step.delivery * column(grains, columns_.owed, g);
-        const core::Vec3 known =
-            (grains.mass[k] - p.fluid_density * volume) * p.gravity + volume * (force + p.fluid_density * drive) + delivered / step.dt;
-        const SpinInput spin{fluid - velocity, vorticity, grains.spin_of(g), diameter, p.fluid_density, p.viscosity};
-        WetLoad load;
-        load.drag = grains.columns[std::size_t(columns_.drag)][k];
-        load.added_mass = mass;
-        const core::Vec3 acceleration = at(views, view_acceleration, g) + at(views, view_stress, g) / p.fluid_density;
-        load.force = known + mass * tell(grains, g, acceleration, step.dt);
-        if (p.lift) load.force += magnus_share(p, spin.slip.norm(), diameter) * magnus_lift(spin);
-        if (p.force == FluidForce::material_derivative)
-            load.force +=
-                extra_force(grains, g, p.fluid_density * (at(views, view_acceleration, g) - drive) - at(views, view_pressure_force, g));
-        load.fluid_velocity = fluid;
-        if (p.torque) {
-            load.fluid_spin = 0.5 * vorticity;
-            load.spin_drag = torque_factor((spin.spin - load.fluid_spin).norm(), diameter, p.fluid_density, p.viscosity);
-        }
-        set_wet_load(grains, wet_, g, load, step.sub_step);
-        put(grains, columns_.delivered, g, delivered);
-        put(grains, columns_.velocity_before, g, velocity);
-        put(grains, columns_.spin_before, g, spin.spin);
-        put(grains, columns_.known_force, g, known);
-        put(grains, columns_.force_used, g, force);
-        grains.columns[std::size_t(columns_.added_mass)][k] = mass;
-    }
-}
-
-// The fluid feels the reaction one step late, and in a bed answers C / phi times as much the other way: alternating without
-// end from C = 0.5 on. The mean with the step before keeps that quiet up to C = 0.75, beyond every packing.
-core::Vec3 GrainExchange::extra_force(core::ParticleSet& grains, int g, const core::Vec3& per_volume) const
-{
-    const core::Vec3 force = 0.5 * (column(grains, columns_.extra_force, g) + volume_of(grains, g) * per_volume);
-    put(grains, columns_.extra_force, g, force);
-    return force;
 }
 
 GrainCoupling GrainExchange::coupling_of(const core::ParticleSet& grains, int g, double dt) const
@@ -231,6 +136,7 @@ void GrainExchange::owe(core::ParticleSet& grains, const Told& told, const Grain
             owed[a] +=
                 owed_impulse({used[a], force_new[a], force_change[a], predictor[a], projection[a], miss[a]}, coupling.volume, p, q, dt);
         put(grains, columns_.owed, g, owed);
+        if (columns_.history >= 0) remember(grains, g, dt);
     }
 }
 

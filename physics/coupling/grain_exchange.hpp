@@ -5,10 +5,13 @@
 // with it, and what it is still owed afterwards (steps 2, 3 and 6 of response.hpp).
 #include "physics/coupling/exchange_fields.hpp"
 #include "physics/coupling/grain_holds.hpp"
+#include "physics/coupling/grid_spread.hpp"
 #include "physics/coupling/parameters.hpp"
 #include "physics/particles/newton.hpp"
 
 namespace physics {
+
+struct SpinInput;
 
 /// Columns of the particle set that the exchange keeps through the sub-steps of one fluid step. Each name is the first of
 /// three columns unless it says otherwise.
@@ -25,8 +28,20 @@ struct ExchangeColumns {
     int extra_force;     ///< of FluidForce::material_derivative, carried from step to step [N]; -1 without
     int drag;            ///< one column: K [kg/s]
     int added_mass;      ///< one column [kg]
+    int wake;            ///< what it adds to the velocity it samples (own_disturbance.hpp), carried [m/s]; -1 without
+    int history;         ///< the first of history_columns, carried (history_force.hpp); -1 without
 };
 [[nodiscard]] ExchangeColumns add_exchange_columns(core::ParticleSet& grains, const CouplingParameters& parameters);
+
+/// Three components of a HistoryMemory, one after the other, and the length of the last step [s].
+inline constexpr int history_columns = 43;
+
+/// What drag depends on beside the slip, for each owned grain.
+struct GrainSurroundings {
+    std::vector<double> fraction;   ///< phi [-]
+    std::vector<double> surface;    ///< sum of V / d per volume; empty unless sizes are mixed [1/m]
+    std::vector<GridSpread> spread; ///< of hats and cells; empty unless the own disturbance is taken off
+};
 
 /// What a step is to the grains.
 struct GrainStep {
@@ -47,10 +62,19 @@ public:
     [[nodiscard]] const WetColumns& wet_columns() const { return wet_; }
     [[nodiscard]] const ExchangeColumns& columns() const { return columns_; }
 
-    /// Step 2: drag coefficients of all owned grains, for the whole step.
-    /// @param views     grain_views columns sampled at the grains.
-    /// @param fraction  phi at the grains.
-    void freeze_drag(core::ParticleSet& grains, const GrainTable& views, std::span<const double> fraction) const;
+    /// Velocity that each grain's own wake adds where it samples, grown over `dt` from what it was [m/s].
+    /// @pre the own disturbance is taken off
+    /// @param views  grain_views columns sampled at the grains.
+    [[nodiscard]] std::vector<core::Vec3> wakes(const core::ParticleSet& grains, const GrainTable& views, const GrainSurroundings& around,
+                                                double dt) const;
+    /// Takes wakes off what was sampled, and each grain's own volume off the solid fraction.
+    void take_off(const std::vector<core::Vec3>& wakes, const core::ParticleSet& grains, GrainTable& views,
+                  GrainSurroundings& around) const;
+    void remember_wakes(core::ParticleSet& grains, const std::vector<core::Vec3>& wakes) const;
+
+    /// Step 2: drag coefficients and added masses of all owned grains, for the whole step.
+    /// @param views  grain_views columns sampled at the grains.
+    void freeze_drag(core::ParticleSet& grains, const GrainTable& views, const GrainSurroundings& around, double dt) const;
 
     /// Step 2: loads of all owned grains.
     /// @param drive  Mean acceleration of the fluid by the drive over the step [m/s2].
@@ -58,7 +82,7 @@ public:
 
     /// Before a pass is repeated, when the views are of its own step: nothing need be kept back from held grains, and K
     /// becomes the mean of what it was and what the new slip asks for.
-    void revise(core::ParticleSet& grains, const GrainTable& views, std::span<const double> fraction) const;
+    void revise(core::ParticleSet& grains, const GrainTable& views, const GrainSurroundings& around) const;
 
     /// Step 3: what contacts and all else did to each owned grain.
     [[nodiscard]] std::vector<GrainImpulses> impulses(const core::ParticleSet& grains) const;
@@ -82,13 +106,19 @@ public:
     [[nodiscard]] double drag_rate(const core::ParticleSet& grains, int g, double fraction) const;
     [[nodiscard]] static double volume(const core::ParticleSet& grains, int g);
     /// Columns of `deposits`, and arrays of their sums, that are not zero throughout.
-    [[nodiscard]] std::size_t sums() const { return parameters_.added_mass > 0 ? grain_sums : sum_added; }
+    [[nodiscard]] std::size_t sums() const { return parameters_.added_mass > 0 || parameters_.history ? grain_sums : sum_added; }
     /// Angular impulse that the fluid's torque gave grain g in the last step [N m s]; the model takes it from nobody.
     [[nodiscard]] core::Vec3 couple(const core::ParticleSet& grains, int g) const;
 
 private:
     [[nodiscard]] GrainCoupling coupling_of(const core::ParticleSet& grains, int g, double dt) const;
-    [[nodiscard]] double drag_at(const core::ParticleSet& grains, int g, const GrainTable& views, double fraction) const;
+    [[nodiscard]] std::vector<double> drags(const core::ParticleSet& grains, const GrainTable& views,
+                                            const GrainSurroundings& around) const;
+    /// All but contacts, drag, added mass and what is known, of grain g [N].
+    [[nodiscard]] core::Vec3 lift(const SpinInput& in) const;
+    /// Of all that is past, mean over the step [N].
+    [[nodiscard]] core::Vec3 history(const core::ParticleSet& grains, int g, double dt) const;
+    void remember(core::ParticleSet& grains, int g, double dt) const;
     [[nodiscard]] core::Vec3 tell(core::ParticleSet& grains, int g, const core::Vec3& acceleration, double dt) const;
     [[nodiscard]] GrainImpulses impulses_of(const core::ParticleSet& grains, int g) const;
     /// What material_derivative adds to the pressure force, half of it from the step before.

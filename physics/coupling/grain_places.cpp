@@ -45,6 +45,20 @@ void GrainPlaces::sort_into_blocks(const core::Mesh& mesh, const core::ParticleS
     std::partial_sum(first_.begin(), first_.end(), first_.begin());
 }
 
+GridSpread GrainPlaces::spread(int grain, const core::BlockGeometry& geometry) const
+{
+    const core::HatStencil& s = stencil(grain);
+    const core::Index3 cell = location(grain).cell;
+    GridSpread found;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double width = geometry.volume(cell.i, cell.j, cell.k) / geometry.area(axis, cell.i, cell.j, cell.k).norm();
+        const double part = s.part[std::size_t(axis)];
+        found.cell += width * width / 3.0;
+        found.hat += part * (1.0 - part) * width * width / 3.0;
+    }
+    return found;
+}
+
 void GrainPlaces::deposit(core::LocalBlock b, std::span<const double> quantity, core::View<double> field) const
 {
     for (const int g : in_block(b)) core::deposit(stencil(g), quantity[std::size_t(g)], field);

@@ -7,6 +7,7 @@
 #include "core/field/sample.hpp"
 #include "core/particles/domain.hpp"
 #include "core/particles/particle_set.hpp"
+#include "physics/coupling/grid_spread.hpp"
 #include <span>
 #include <unordered_map>
 
@@ -24,6 +25,8 @@ public:
         return {order_.data() + first_[std::size_t(b)], order_.data() + first_[std::size_t(b) + 1]};
     }
     [[nodiscard]] const core::HatStencil& stencil(int grain) const { return stencils_[std::size_t(grain)]; }
+    /// How wide the hats spread what a grain deposits. @param geometry  Of the grain's block.
+    [[nodiscard]] GridSpread spread(int grain, const core::BlockGeometry& geometry) const;
     [[nodiscard]] const core::Location& location(int grain) const { return locations_[std::size_t(grain)]; }
 
     /// Adds the quantity of each grain of the block to the cells round it; halos still have to go home.

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #include "physics/coupling/parameters.hpp"
-#include "physics/coupling/drag.hpp"
+#include "physics/coupling/added_mass.hpp"
+#include "physics/coupling/drag_laws.hpp"
 #include "physics/coupling/lift.hpp"
 #include <cmath>
 
@@ -9,15 +10,13 @@ namespace physics {
 
 double drag_coefficient(const CouplingParameters& p, double slip, double fraction, double diameter)
 {
-    const DragInput in{slip, fraction, diameter, p.fluid_density, p.viscosity};
-    switch (p.drag) {
-    case DragLaw::di_felice: return drag_di_felice(in);
-    case DragLaw::gidaspow: return drag_gidaspow(in);
-    case DragLaw::kawaguchi: return drag_kawaguchi(in);
-    case DragLaw::gidaspow_smooth: return drag_gidaspow_smooth(in);
-    case DragLaw::schiller_naumann: return drag_schiller_naumann(in);
-    }
-    return 0.0;
+    return with_drag_law(p.drag, [&](const auto& law) { return law({slip, fraction, diameter, p.fluid_density, p.viscosity}); });
+}
+
+double added_mass_coefficient(const CouplingParameters& p, double fraction)
+{
+    if (p.added_mass_law == AddedMassLaw::one_sphere) return p.added_mass;
+    return p.added_mass / added_mass_of_a_sphere * added_mass_zuber(1.0 - fraction);
 }
 
 double magnus_share(const CouplingParameters& p, double slip, double diameter)

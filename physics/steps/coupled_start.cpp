@@ -47,6 +47,7 @@ tasks::Job CoupledStep::find_fraction(tasks::Lane& lane)
     for (LocalBlock b = 0; b < mesh_.own_count(); ++b)
         map_cells(
             fields_.fraction.on(b), [](double c) { return 1.0 - c; }, fields_.sums.on(b)[sum_solid]);
+    if (parameters_.mixture) co_await sum_surface(lane, dynamics_.particles, places_.get(), filter_.own, fields_.surface);
 }
 
 tasks::Job CoupledStep::initialise(tasks::Lane& lane)
@@ -70,7 +71,8 @@ StabilityNumbers CoupledStep::stability(double dt, double bed_stiffness) const
         n.stiffness = std::max(n.stiffness, dt * rate);
         n.softness = std::max(n.softness, rate * dynamics_.particles.mass[std::size_t(g)] / (dt * bed_stiffness));
         n.loading = std::max(n.loading, ratio * (1.0 - fluid_share) / fluid_share);
-        n.amplification = std::max(n.amplification, added_mass_amplification(fluid_share, ratio, parameters_.added_mass));
+        n.amplification =
+            std::max(n.amplification, added_mass_amplification(fluid_share, ratio, added_mass_coefficient(parameters_, fluid_share)));
     }
     return n;
 }

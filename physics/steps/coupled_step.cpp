@@ -33,6 +33,7 @@ CoupledStep::CoupledStep(const core::Locator& locator, const core::Communicator&
       clock_("fluid clock", fluid.state().clock),
       places_("places of grains"),
       holds_("hold of grains"),
+      surface_("surface around grains"),
       kept_("grains at the start"),
       assumed_("assumed grains")
 {
@@ -43,6 +44,7 @@ CoupledStep::CoupledStep(const core::Locator& locator, const core::Communicator&
     fields_.ledger.allocate();
     fields_.sums.allocate();
     fields_.told.allocate();
+    if (parameters_.mixture) fields_.surface.allocate();
     halos_.prepare(&fluid_.state().pressure, core::beside);
     halos_.prepare(&fluid_.state().velocity, core::beside);
     halos_.prepare(&fluid_.fields().gradient_x, core::beside);
@@ -78,6 +80,7 @@ void CoupledStep::declare(tasks::StageGraph& graph, Mode mode)
         {
             const auto lane = graph.lane("particles");
             declare_vorticity(graph);
+            if (pass == 0) declare_sizes(graph);
             if (pass == 0) declare_grain_load(graph);
             else declare_restart_of_grains(graph);
             if (!waits) declare_taking(graph);
@@ -106,6 +109,7 @@ void CoupledStep::declare(tasks::StageGraph& graph, Mode mode)
             declare_fraction(graph);
             declare_ledger(graph, mode);
             declare_owed(graph);
+            declare_surface(graph);
         }
         declare_told(graph, kind);
     }
@@ -118,13 +122,20 @@ void CoupledStep::declare_grain_load(tasks::StageGraph& graph)
         "load grains",
         [this](tasks::Lane& lane, const core::FieldBatch<told_views>& told, const core::FieldBatch<3>& vorticity,
                const core::ScalarField& fraction, const FluidClock& clock, const DriveState& drive, const GrainPlaces& places,
-               ParticleDynamics& grains, GrainHolds& holds) {
+               const std::vector<double>& surface, ParticleDynamics& grains, GrainHolds& holds) {
             holds.forget();
-            const GrainTable table = sample(lane.team(), places, std::size_t(grains.particles.owned), told, vorticity);
-            exchange_.freeze_drag(grains.particles, table, fractions_at(places, grains.particles, fraction));
+            GrainTable table = sample(lane.team(), places, std::size_t(grains.particles.owned), told, vorticity);
+            GrainSurroundings around = surroundings(places, grains.particles, fraction);
+            around.surface = surface;
+            if (parameters_.own_disturbance) {
+                const auto wakes = exchange_.wakes(grains.particles, table, around, clock.dt_before);
+                exchange_.remember_wakes(grains.particles, wakes);
+                exchange_.take_off(wakes, grains.particles, table, around);
+            }
+            exchange_.freeze_drag(grains.particles, table, around, clock.dt);
             exchange_.load(grains.particles, table, drive_of(clock, drive), {clock.dt, grains.step(), 1.0 - clock.memory()});
         },
-        reads(f.told, f.vorticity, halo(f.fraction, 1), clock_, fluid_.drive(), places_), updates(grains_, holds_));
+        reads(f.told, f.vorticity, halo(f.fraction, 1), clock_, fluid_.drive(), places_, surface_), updates(grains_, holds_));
     graph.whole(
         "keep grains",
         [](tasks::Lane&, const ParticleDynamics& grains, GrainState& kept) {
@@ -138,24 +149,35 @@ void CoupledStep::declare_restart_of_grains(tasks::StageGraph& graph)
     graph.whole(
         "load grains again",
         [this](tasks::Lane& lane, const core::FieldBatch<told_views>& told, const core::FieldBatch<3>& vorticity,
-               const core::ScalarField& fraction, const FluidClock& clock, const DriveState& drive, GrainState& kept, GrainPlaces& places,
-               ParticleDynamics& grains) {
+               const core::ScalarField& fraction, const FluidClock& clock, const DriveState& drive, const std::vector<double>& surface,
+               GrainState& kept, GrainPlaces& places, ParticleDynamics& grains) {
             places.locate(mesh_, locator_, grains.domain(), kept.particles);
-            const GrainTable table = sample(lane.team(), places, std::size_t(kept.particles.owned), told, vorticity);
-            exchange_.revise(kept.particles, table, fractions_at(places, kept.particles, fraction));
+            GrainTable table = sample(lane.team(), places, std::size_t(kept.particles.owned), told, vorticity);
+            GrainSurroundings around = surroundings(places, kept.particles, fraction);
+            around.surface = surface;
+            if (parameters_.own_disturbance) // of this pass alone: the next step begins with the last that was remembered
+                exchange_.take_off(exchange_.wakes(kept.particles, table, around, clock.dt), kept.particles, table, around);
+            exchange_.revise(kept.particles, table, around);
             grains.particles = kept.particles;
             grains.history = kept.history;
             exchange_.load(grains.particles, table, drive_of(clock, drive), {clock.dt, grains.step(), 1.0 - clock.memory()});
         },
-        reads(fields_.told, fields_.vorticity, halo(fields_.fraction, 1), clock_, fluid_.drive()), updates(kept_, places_, grains_));
+        reads(fields_.told, fields_.vorticity, halo(fields_.fraction, 1), clock_, fluid_.drive(), surface_),
+        updates(kept_, places_, grains_));
 }
 
-std::vector<double> CoupledStep::fractions_at(const GrainPlaces& places, const core::ParticleSet& grains,
-                                              const core::ScalarField& fraction) const
+GrainSurroundings CoupledStep::surroundings(const GrainPlaces& places, const core::ParticleSet& grains,
+                                            const core::ScalarField& fraction) const
 {
-    std::vector<double> fractions(std::size_t(grains.owned));
-    for (LocalBlock b = 0; b < mesh_.own_count(); ++b) places.sample(b, fraction.on(b), fractions);
-    return fractions;
+    const auto count = std::size_t(grains.owned);
+    GrainSurroundings around{std::vector<double>(count), {}, {}};
+    if (parameters_.own_disturbance) around.spread.resize(count);
+    for (LocalBlock b = 0; b < mesh_.own_count(); ++b) {
+        places.sample(b, fraction.on(b), around.fraction);
+        if (!parameters_.own_disturbance) continue;
+        for (const int g : places.in_block(b)) around.spread[std::size_t(g)] = places.spread(g, geometry(b));
+    }
+    return around;
 }
 
 void CoupledStep::declare_grain_sums(tasks::StageGraph& graph)

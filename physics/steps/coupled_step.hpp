@@ -57,6 +57,10 @@ private:
     void declare_boundaries(tasks::StageGraph& graph);
     void declare_viscosity(tasks::StageGraph& graph);
     void declare_vorticity(tasks::StageGraph& graph);
+    void declare_sizes(tasks::StageGraph& graph);
+    void declare_surface(tasks::StageGraph& graph);
+    [[nodiscard]] tasks::Job sum_surface(tasks::Lane& lane, const core::ParticleSet& grains, const GrainPlaces& places, Filter& filter,
+                                         core::FieldBatch<1>& surface);
     void declare_grain_load(tasks::StageGraph& graph);
     void declare_restart_of_grains(tasks::StageGraph& graph);
     void declare_grain_sums(tasks::StageGraph& graph);
@@ -111,10 +115,10 @@ private:
                     std::span<const core::View<double>> out) const;
     void view_stress_in(std::span<const core::View<double>> out, CellVectors viscous) const;
     [[nodiscard]] bool viscous() const { return fluid_.viscosity_system() != nullptr; }
-    [[nodiscard]] bool spins() const { return parameters_.lift || parameters_.torque; } ///< grains see vorticity
+    [[nodiscard]] bool spins() const { return parameters_.lift || parameters_.shear_lift || parameters_.torque; } ///< grains see vorticity
     [[nodiscard]] bool tells_stress(Pass pass) const { return viscous() && pass == Pass::last; }
-    [[nodiscard]] std::vector<double> fractions_at(const GrainPlaces& places, const core::ParticleSet& grains,
-                                                   const core::ScalarField& fraction) const;
+    [[nodiscard]] GrainSurroundings surroundings(const GrainPlaces& places, const core::ParticleSet& grains,
+                                                 const core::ScalarField& fraction) const;
     /// What the step begins with and the grains are told [m/s2].
     [[nodiscard]] core::Vec3 drive_of(const FluidClock& clock, const DriveState& state) const;
     void add_correction(const DriveState& drive, GrainTable& views) const;
@@ -145,8 +149,9 @@ private:
     tasks::Part<FluidClock> clock_;
     tasks::Value<GrainPlaces> places_;
     tasks::Value<GrainHolds> holds_;
-    tasks::Value<GrainState> kept_;       ///< loaded, before the first sub-step: where a repeated pass begins
-    tasks::Value<AssumedGrains> assumed_; ///< empty unless a mode needs them
+    tasks::Value<std::vector<double>> surface_; ///< of the grains around each grain; empty unless sizes are mixed [1/m]
+    tasks::Value<GrainState> kept_;             ///< loaded, before the first sub-step: where a repeated pass begins
+    tasks::Value<AssumedGrains> assumed_;       ///< empty unless a mode needs them
 };
 
 } // namespace physics

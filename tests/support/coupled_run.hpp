@@ -24,6 +24,7 @@ struct CoupledBox {
     io::CouplingMode mode = io::CouplingMode::pipelined;
     io::DragLaw drag = io::DragLaw::smooth;
     bool added_mass = true;
+    io::Switch own_disturbance = io::Switch::off;
     std::string executor = "serial";
 };
 
@@ -58,7 +59,8 @@ inline constexpr std::array every_mode{io::CouplingMode::pipelined, io::Coupling
     scene.coupling->mode = box.mode;
     scene.coupling->filter = {box.filter, true};
     scene.coupling->drag = box.drag;
-    scene.coupling->added_mass = box.added_mass ? io::Switch::on : io::Switch::off;
+    scene.coupling->added_mass = box.added_mass ? io::AddedMass::on : io::AddedMass::off;
+    scene.coupling->own_disturbance = box.own_disturbance;
     scene.coupling->lift = io::Switch::off;
     scene.run.until = 1e6;
     scene.run.settle = box.settle;

@@ -61,8 +61,18 @@ TEST_CASE("every value survives the resolved text")
                                   .spacing = 0.99,
                                   .overlaps = io::Overlaps::relax};
     scene.contact = io::Contact{io::ContactLaw::linear, 1e4 / 3.0, 0.9, 0.1, 0.5, 50, io::WallShape::primitive};
-    scene.coupling = io::Coupling{io::CouplingMode::iterated,    {0.003, false}, io::CouplingPreset::seed, io::DragLaw::smooth,
-                                  io::MagnusLaw::rubinow_keller, io::Switch::on, io::Switch::off,          io::Switch::on};
+    scene.coupling = io::Coupling{.mode = io::CouplingMode::iterated,
+                                  .filter = {0.003, false},
+                                  .preset = io::CouplingPreset::seed,
+                                  .drag = io::DragLaw::tenneti,
+                                  .magnus = io::MagnusLaw::rubinow_keller,
+                                  .added_mass = io::AddedMass::zuber,
+                                  .size_mixture = io::Switch::on,
+                                  .lift = io::Switch::off,
+                                  .shear_lift = io::Switch::on,
+                                  .torque = io::Switch::on,
+                                  .history = io::Switch::off,
+                                  .own_disturbance = io::Switch::on};
     scene.run = {0.5, 2.0, 1e-3, {0.7}, 42, 3600.0};
     scene.output = {{io::Interval::Clock::steps, 10.0}, {}, {io::Interval::Clock::wall, 60.0}, {}, 5};
     scene.solver.tolerance = 1e-11;

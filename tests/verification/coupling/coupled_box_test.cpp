@@ -139,7 +139,7 @@ TEST_CASE("in the seed's closures grains of a steady bed feel drag alone, so tha
     io::Scene scene = scene_of(box, 1);
     scene.coupling->preset = io::CouplingPreset::seed;
     scene.coupling->drag = io::DragLaw::seed;
-    scene.coupling->added_mass = io::Switch::automatic;
+    scene.coupling->added_mass = io::AddedMass::automatic;
     CoupledRun run(scene);
     run.place(cubes({6, 6, 6}, edge, {1e-4, 2e-4, 3e-4}));
     run.start();

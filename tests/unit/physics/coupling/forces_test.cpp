@@ -87,6 +87,10 @@ TEST_CASE("added mass of one sphere is half the displaced fluid, of a suspension
 {
     CHECK(physics::added_mass_zuber(0.0) == 0.5);
     CHECK(physics::added_mass_zuber(0.25) == test::relative(1.0).epsilon(1e-14));
+    physics::CouplingParameters p;
+    CHECK(physics::added_mass_coefficient(p, 0.75) == 0.5);
+    p.added_mass_law = physics::AddedMassLaw::zuber;
+    CHECK(physics::added_mass_coefficient(p, 0.75) == test::relative(1.0).epsilon(1e-14));
 }
 
 TEST_CASE("lift points where it must")
@@ -104,6 +108,9 @@ TEST_CASE("lift points where it must")
     in.vorticity = Vec3(0.0, 0.0, -20.0); // u = 20 y along x
     in.slip = Vec3(0.01, 0.0, 0.0);       // the grain lags
     CHECK(physics::shear_lift(in).y() > 0.0);
+    // By hand: 1.615 d^2 sqrt(rho mu |w|) U f = 1.615e-6 sqrt 20 0.01 f; Re = 10, root = 0.3314 sqrt(1), f = 0.6686 / e + 0.3314.
+    CHECK((physics::shear_lift(in) - Vec3(0.0, 1.615e-6 * std::sqrt(20.0) * 0.01 * (0.6686 * std::exp(-1.0) + 0.3314), 0.0)).norm() <
+          1e-12 * physics::shear_lift(in).norm());
     in.slip = Vec3(-0.01, 0.0, 0.0);
     CHECK(physics::shear_lift(in).y() < 0.0);
     in.slip = Vec3::Zero();

@@ -23,7 +23,7 @@ std::vector<core::Vec3> GrainExchange::wakes(const core::ParticleSet& grains, co
         const auto k = std::size_t(g);
         const double volume = volume_of(grains, g);
         const core::Vec3 before = column(grains, columns_.wake, g), slip = at(views, view_velocity, g) - before - grains.velocity_of(g);
-        const double own = own_fraction(volume, fraction_spread(p.filter_width, around.spread[k]));
+        const double own = own_fraction(volume, p.filter_width, around.spread[k]);
         const double crowding = crowding_fraction(1.0 - around.fraction[k], own) / volume;
         const Wake wake = wake_of({grains.columns[std::size_t(columns_.drag)][k], slip.norm(),
                                    velocity_spread(p.filter_width, around.spread[k]), crowding, p.fluid_density, p.viscosity});
@@ -40,7 +40,7 @@ void GrainExchange::take_off(const std::vector<core::Vec3>& wakes, const core::P
     for (int g = 0; g < grains.owned; ++g) {
         const auto k = std::size_t(g);
         for (std::size_t a = 0; a < 3; ++a) views[view_velocity + a][k] -= wakes[k][int(a)];
-        const double own = own_fraction(volume_of(grains, g), fraction_spread(parameters_.filter_width, around.spread[k]));
+        const double own = own_fraction(volume_of(grains, g), parameters_.filter_width, around.spread[k]);
         around.fraction[k] = 1.0 - fraction_of_others(1.0 - around.fraction[k], own);
     }
 }

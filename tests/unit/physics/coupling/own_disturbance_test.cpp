@@ -56,8 +56,12 @@ TEST_CASE("a Stokes grain samples 0.40 d / s of its slip, built up in s^2 / nu")
 
 TEST_CASE("in a packing a grain finds itself neither in the fraction nor in the velocity")
 {
-    const double d = 1e-3, volume = pi / 6 * d * d * d, spread = 2 * d * d;
-    const double own = physics::own_fraction(volume, spread);
+    const double d = 1e-3, volume = pi / 6 * d * d * d, width = 2 * d;
+    const double own = physics::own_fraction(volume, width, {0.01 * d * d, 0.0});
+    CHECK(own == test::relative(volume * std::pow(pi * width * width, -1.5)).epsilon(1e-3)); // thin cells: exp(-r^2 / b^2)
+    const double h = 10 * d; // in the middle of a cell without a filter, and in its corner: an eighth in each of eight, an eighth sampled
+    CHECK(physics::own_fraction(volume, 0.0, {h * h, 0.0}) == test::relative(volume / (h * h * h)).epsilon(1e-12));
+    CHECK(physics::own_fraction(volume, 0.0, {h * h, 0.25 * h * h}) == test::relative(0.125 * volume / (h * h * h)).epsilon(1e-12));
     CHECK(physics::fraction_of_others(0.6, own) == test::relative(0.6).epsilon(1e-3));
     CHECK(physics::fraction_of_others(own, own) == 0.0); // alone
     CHECK(physics::crowding_fraction(own, own) == 0.0);

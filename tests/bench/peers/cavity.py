@@ -21,24 +21,35 @@ def step_of(cells):
     return 0.32 * SIDE / (cells * SPEED)
 
 
-def icofoam(cells, steps, cores):
-    case = f"cavity.{cells}.{cores}"
-    shutil.rmtree(case, ignore_errors=True)
-    corners = " ".join(f"({x} {y} {z})" for z in (0, SIDE) for x, y in ((0, 0), (SIDE, 0), (SIDE, SIDE), (0, SIDE)))
+def write_case(case, cells, size, flow, sides="wall"):
+    """Grid, start and fluid of a box under a moving lid.
+
+    sides: what the two sides across z are: wall, or empty for a flow in two dimensions.
+    """
+    (nx, ny, nz), (x1, y1, z1) = cells, size
+    corners = " ".join(f"({x} {y} {z})" for z in (0, z1) for x, y in ((0, 0), (x1, 0), (x1, y1), (0, y1)))
     foam.write(case, "system/blockMeshDict", "dictionary", f"""vertices ({corners});
-blocks (hex (0 1 2 3 4 5 6 7) ({cells} {cells} {cells}) simpleGrading (1 1 1)); edges ();
+blocks (hex (0 1 2 3 4 5 6 7) ({nx} {ny} {nz}) simpleGrading (1 1 1)); edges ();
 boundary
 (
     lid {{ type wall; faces ((3 7 6 2)); }}
-    rest {{ type wall; faces ((0 4 7 3) (2 6 5 1) (1 5 4 0) (0 3 2 1) (4 5 6 7)); }}
+    rest {{ type wall; faces ((0 4 7 3) (2 6 5 1) (1 5 4 0)); }}
+    sides {{ type {sides}; faces ((0 3 2 1) (4 5 6 7)); }}
 );""")
+    at_sides = {"wall": ("type noSlip;", "type zeroGradient;"), "empty": ("type empty;", "type empty;")}[sides]
+    foam.write(case, "0/U", "volVectorField", f"""dimensions [0 1 -1 0 0 0 0]; internalField uniform (0 0 0);
+boundaryField {{ lid {{ type fixedValue; value uniform ({flow['speed']} 0 0); }} rest {{ type noSlip; }} sides {{ {at_sides[0]} }} }}""")
+    foam.write(case, "0/p", "volScalarField", f"""dimensions [0 2 -2 0 0 0 0]; internalField uniform 0;
+boundaryField {{ "(lid|rest)" {{ type zeroGradient; }} sides {{ {at_sides[1]} }} }}""")
+    foam.write(case, "constant/transportProperties", "dictionary", f"nu [0 2 -1 0 0 0 0] {flow['viscosity']};")
+
+
+def icofoam(cells, steps, cores):
+    case = f"cavity.{cells}.{cores}"
+    shutil.rmtree(case, ignore_errors=True)
+    write_case(case, (cells, cells, cells), (SIDE, SIDE, SIDE), {"speed": SPEED, "viscosity": VISCOSITY})
     foam.control(case, "icoFoam", step_of(cells), steps * step_of(cells))
     foam.numerics(case, cores)
-    foam.write(case, "0/U", "volVectorField", f"""dimensions [0 1 -1 0 0 0 0]; internalField uniform (0 0 0);
-boundaryField {{ lid {{ type fixedValue; value uniform ({SPEED} 0 0); }} rest {{ type noSlip; }} }}""")
-    foam.write(case, "0/p", "volScalarField", """dimensions [0 2 -2 0 0 0 0]; internalField uniform 0;
-boundaryField { ".*" { type zeroGradient; } }""")
-    foam.write(case, "constant/transportProperties", "dictionary", f"nu [0 2 -1 0 0 0 0] {VISCOSITY};")
     output = foam.solve(case, "icoFoam", cores).output
     seconds = [float(word) for word in re.findall(r"ExecutionTime = ([\d.]+) s", output)]
     first = steps // 4

@@ -76,7 +76,7 @@ cloudFunctions {{}}""")
 
 
 def write_case(case, cells, until, cores):
-    foam.pipe_grid(case, cells)
+    foam.pipe_grid(case, foam.GRIDS[cells])
     foam.control(case, "DPMFoam", STEP, until)
     foam.numerics(case, cores)
     foam.velocity_field(case, "U.water")

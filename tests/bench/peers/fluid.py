@@ -17,7 +17,7 @@ def icofoam(cores):
     shutil.rmtree(case, ignore_errors=True)
     frequency = 1 / foam.PERIOD
     amplitude = SPEED * 2 * math.pi * frequency * foam.LENGTH
-    foam.pipe_grid(case, CELLS, wall_grading=0.4)
+    foam.pipe_grid(case, foam.GRIDS[CELLS], wall_grading=0.4)
     foam.control(case, "icoFoam", STEP, STEPS * STEP)
     foam.numerics(case, cores)
     foam.velocity_field(case, "U")

@@ -37,9 +37,12 @@ def arcs(circle):
     return "\n".join(lines)
 
 
-def pipe_grid(case, cells, wall_grading=1.0):
-    """blockMeshDict: a square core of half the radius and four blocks around it."""
-    across, outwards, along = GRIDS[cells]
+def pipe_grid(case, grid, wall_grading=1.0):
+    """blockMeshDict: a square core of half the radius and four blocks around it.
+
+    grid: cells along a side of the core, from it to the wall, along the axis.
+    """
+    across, outwards, along = grid
     corners = [(-1, -1), (1, -1), (1, 1), (-1, 1)]
     core, wall = 0.5 * RADIUS / math.sqrt(2), RADIUS / math.sqrt(2)
     vertices = [(side * x, side * y, z) for z in (0.0, LENGTH) for side in (core, wall) for x, y in corners]
@@ -66,27 +69,27 @@ boundary
 );""")
 
 
-def control(case, solver, step, until):
+def control(case, solver, step, until, every=1e9):
     write(case, "system/controlDict", "dictionary", f"""application {solver}; startFrom startTime; startTime 0;
-stopAt endTime; endTime {until:.10g}; deltaT {step:.10g}; writeControl runTime; writeInterval 1e9; writeFormat ascii;
+stopAt endTime; endTime {until:.10g}; deltaT {step:.10g}; writeControl runTime; writeInterval {every:.10g}; writeFormat ascii;
 timeFormat general; timePrecision 10; runTimeModifiable no;""")
 
 
-def numerics(case, cores):
-    """Second order in space, Euler in time, PISO with two correctors, GAMG to 1e-6."""
-    write(case, "system/fvSchemes", "dictionary", """ddtSchemes { default Euler; }
-gradSchemes { default Gauss linear; }
+def numerics(case, cores, in_time="Euler"):
+    """Second order in space, PISO with two correctors, GAMG to 1e-6."""
+    write(case, "system/fvSchemes", "dictionary", f"""ddtSchemes {{ default {in_time}; }}
+gradSchemes {{ default Gauss linear; }}
 divSchemes
-{
+{{
     default none;
     div(phi,U) Gauss linear;
     div((nuEff*dev2(T(grad(U))))) Gauss linear;
     div(alphaPhi.water,U.water) Gauss linearUpwindV unlimited;
     div(((alpha.water*nuEff.water)*dev2(T(grad(U.water))))) Gauss linear;
-}
-laplacianSchemes { default Gauss linear corrected; }
-interpolationSchemes { default linear; }
-snGradSchemes { default corrected; }""")
+}}
+laplacianSchemes {{ default Gauss linear corrected; }}
+interpolationSchemes {{ default linear; }}
+snGradSchemes {{ default corrected; }}""")
     pressure = "solver GAMG; smoother DICGaussSeidel; nCellsInCoarsestLevel 50; tolerance 1e-6;"
     velocity = "solver smoothSolver; smoother symGaussSeidel; tolerance 1e-6; relTol 0;"
     loop = "nCorrectors 2; nNonOrthogonalCorrectors 0; pRefCell 0; pRefValue 0;"

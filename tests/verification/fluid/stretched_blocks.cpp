@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 // The pressure of a bent channel of cells a thousand times as long as high (NUMERICS D 24): the lines across the channel go on
-// through blocks, so that the solver does not see where they are cut, whichever way the blocks are counted.
+// through blocks, so that the solver does not see where they are cut, whichever way the blocks are counted. Slanted cells
+// (D 25) cost more, within bounds.
 #include "tests/support/pressure_on_grid.hpp"
 #include "tests/support/stretched_channel.hpp"
 #include <doctest/doctest.h>
@@ -43,4 +44,17 @@ TEST_CASE("lines without ends are solved as well")
 {
     for (const int cut : {1, 2, 4}) CHECK(iterations({{32, 16, 8}, {2, cut, 1}, 1000.0, false, false, true}) <= most);
     CHECK(iterations({{32, 16, 8}, {2, 4, 1}, 1000.0, false, true, true}) <= most);
+}
+
+TEST_CASE("cells slanted by 75 degrees take at most 110 V-cycles, two in each iteration, and 150 bytes for operator and preconditioner")
+{
+    const double slope = std::tan(75 * std::numbers::pi / 180);
+    const core::Box box{{0, 0, 0}, {1, 1, 1}, {48, 48, 48}, {1, 1, 1}, {}};
+    test::PressureOnGrid problem(core::make_box(box, [=](const core::Vec3& x) { return core::Vec3(x.x() + slope * x.y(), x.y(), x.z()); }),
+                                 0.3);
+    const int cycles = 2 * problem.solve(serial).iterations;
+    MESSAGE(cycles, " V-cycles");
+    CHECK(cycles <= 110);
+    const double operator_bytes = 3 * sizeof(double);
+    CHECK(operator_bytes + double(problem.system().solver().multigrid().bytes()) / double(box.cells.size()) <= 150);
 }

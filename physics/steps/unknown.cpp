@@ -5,6 +5,8 @@
 #include "physics/fluid/face_flux.hpp"
 #include "physics/fluid/gradient.hpp"
 
+#include <utility>
+
 namespace physics {
 Unknown::Unknown(const SystemContext& context, const BlockLayout& layout, const std::string& name)
     : value({name, "", 1, false}, context.mesh.own_cells()),
@@ -14,9 +16,10 @@ Unknown::Unknown(const SystemContext& context, const BlockLayout& layout, const 
       layout_(layout)
 {
     value.allocate();
-    gradient.allocate();
     flux.allocate();
     context_.halos.prepare(&value, core::beside);
+    if (context_.is_straight) return; // nothing reads the gradient
+    gradient.allocate();
     context_.halos.prepare(&gradient, core::beside);
 }
 
@@ -40,7 +43,8 @@ tasks::Job Unknown::form_fluxes(tasks::Lane& lane, std::optional<int> component,
     for_blocks(lane, [&](core::LocalBlock b) {
         const auto& geometry = context_.mesh.geometry(b);
         const auto& walls = context_.walls[std::size_t(b)];
-        gradient_flux(geometry, value.on(b), gradient.on(b), flux.on(b));
+        const auto gradients = context_.is_straight ? core::VectorView<const double>{} : std::as_const(gradient).on(b);
+        gradient_flux(geometry, value.on(b), gradients, flux.on(b));
         if (component) wall_gradient_flux(geometry, walls, value.on(b), flux.on(b));
         else pressure_wall_flux(geometry, walls, value.on(b), flux.on(b));
     });

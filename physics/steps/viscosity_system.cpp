@@ -40,6 +40,7 @@ ViscositySystem::ViscositySystem(const SystemContext& context, const PressureSys
     residual_.allocate();
     flux_.allocate();
     for (auto& g : gradient_) {
+        if (context_.is_straight) break; // nothing reads them
         g.allocate();
         context_.halos.prepare(&g, core::beside);
     }
@@ -135,8 +136,10 @@ tasks::Job ViscositySystem::form_residual(tasks::Lane& lane, const core::VectorF
         const auto known = change.on(b);
         ViscousSums sums;
         for (int c = 0; c < 3; ++c) {
-            diffusive_inflow(geometry, context_.walls[std::size_t(b)], u.component(c), gradient_[std::size_t(c)].on(b),
-                             context_.viscosity_factors(b), {flux_.on(b), r.component(c)});
+            const auto& g = gradient_[std::size_t(c)];
+            diffusive_inflow(geometry, context_.walls[std::size_t(b)], u.component(c),
+                             context_.is_straight ? core::VectorView<const double>{} : g.on(b), context_.viscosity_factors(b),
+                             {flux_.on(b), r.component(c)});
             sums += form_viscous_residual({diffusion_, volume, u.component(c), known.component(c)}, r.component(c));
         }
         const std::array parts{sums.residual, sums.change, sums.momentum};

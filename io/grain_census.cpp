@@ -36,7 +36,6 @@ void GrainCensus::stretch(double diameter, double density)
 {
     smallest = std::min(smallest, diameter);
     largest = std::max(largest, diameter);
-    lightest = std::min(lightest, std::numbers::pi / 6 * std::pow(diameter, 3) * density);
     least_density = std::min(least_density, density);
 }
 

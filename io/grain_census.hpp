@@ -16,7 +16,6 @@ struct GrainCensus {
     double volume = 0;                                                      ///< [m3]
     double mass = 0;                                                        ///< [kg]
     double smallest = std::numeric_limits<double>::infinity(), largest = 0; ///< diameters [m]
-    double lightest = std::numeric_limits<double>::infinity();              ///< [kg]
     double least_density = std::numeric_limits<double>::infinity();         ///< [kg/m3]
 
     /// Counts one more.

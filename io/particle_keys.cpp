@@ -56,16 +56,4 @@ void describe(Schema& s, Species& p)
     s.group("inflow", p.inflow, "More of them that come in while the run goes on");
 }
 
-void describe(Schema& s, Contact& p)
-{
-    s.value("law", "Contact law; linear is a spring and a dashpot", choice_of(p.law, contact_law_words));
-    s.required("stiffness", p.stiffness, "N/m", "Normal stiffness of a contact", positive);
-    s.value("restitution", p.restitution, "1", "Normal speed after over before a dry collision", Range{0.0, 1.0, true});
-    s.value("friction", p.friction, "1", "Coulomb coefficient between particles and with walls", not_negative);
-    s.value("tangential_ratio", p.tangential_ratio, "1", "Tangential over normal stiffness", between(0.0, 1.0));
-    s.value("steps_per_contact", p.steps_per_contact, "", "Sub-steps in the shortest collision", at_least(10));
-    s.value("walls", "What particles meet at the boundary of the grid: the faces of its cells, the exact pipe or box, or nothing",
-            choice_of(p.walls, wall_shape_words));
-}
-
 } // namespace io

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// The particles of a scene and how they collide, as the user describes them.
+// The particles of a scene, as the user describes them.
 #include "io/region_keys.hpp"
 #include "io/size_keys.hpp"
 #include <array>
@@ -21,12 +21,6 @@ inline constexpr std::array<std::string_view, 4> arrangement_words{"random", "la
 
 enum class Overlaps { keep, relax };
 inline constexpr std::array<std::string_view, 2> overlaps_words{"keep", "relax"};
-
-enum class ContactLaw { linear };
-inline constexpr std::array<std::string_view, 1> contact_law_words{"linear"};
-
-enum class WallShape { faces, primitive, none };
-inline constexpr std::array<std::string_view, 3> wall_shape_words{"faces", "primitive", "none"};
 
 /// Where the particles of a species are at the start.
 struct Initial {
@@ -70,21 +64,9 @@ struct Outlet {
     bool operator==(const Outlet&) const = default;
 };
 
-struct Contact {
-    ContactLaw law = ContactLaw::linear;
-    double stiffness = 0.0; ///< normal [N/m]
-    double restitution = 0.6;
-    double friction = 0.4;
-    double tangential_ratio = 2.0 / 7.0; ///< tangential over normal stiffness
-    int steps_per_contact = 30;
-    WallShape walls = WallShape::faces;
-    bool operator==(const Contact&) const = default;
-};
-
 void describe(Schema& s, Initial& p);
 void describe(Schema& s, InflowKeys& p);
 void describe(Schema& s, Species& p);
 void describe(Schema& s, Outlet& p);
-void describe(Schema& s, Contact& p);
 
 } // namespace io

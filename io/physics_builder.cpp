@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #include "io/physics_builder.hpp"
+#include "io/contact_builder.hpp"
 #include "io/table_file.hpp"
 #include "physics/fluid/flow_shape.hpp"
 #include <algorithm>
@@ -102,12 +103,8 @@ physics::TurbulenceParameters turbulence_parameters(const Scene& scene)
 
 physics::ParticleParameters particle_parameters(const Scene& scene)
 {
-    const Contact& contact = *scene.contact;
-    const physics::ContactParameters law{contact.stiffness, contact.tangential_ratio, contact.restitution, contact.friction};
     physics::ParticleParameters p;
-    p.species = int(scene.particles.size());
-    p.pairs = {law};
-    p.walls = {law};
+    set_contacts(scene, p);
     p.gravity = gravity_of(scene);
     p.seed = std::uint64_t(scene.run.random_seed);
     return p;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A scene as the user describes it: plain structs in SI units, with the defaults.
+#include "io/contact_keys.hpp"
 #include "io/coupling_keys.hpp"
 #include "io/fluid_keys.hpp"
 #include "io/particle_keys.hpp"

@@ -29,6 +29,7 @@ public:
         check_particles(scene_, locations_, problems_);
         check_company();
         check_walls(scene_, locations_, problems_);
+        check_contact(scene_, locations_, problems_);
         if (scene_.coupling) check_filter(*scene_.coupling);
         if (scene_.run.time_step && all_good({"run.time_step", "run.until"}) && *scene_.run.time_step > scene_.run.until)
             complain("run.time_step", "the time step is longer than the run", "make it shorter than run.until");

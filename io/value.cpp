@@ -127,6 +127,7 @@ std::string form_of(const Value& value)
         break;
     case Shape::direction: form = "+x, -x, +y, -y, +z, -z or three numbers [x, y, z]"; break;
     }
+    if (value.length == 2) return "two names [a, b]";
     if (value.length == 3) return "three values [x, y, z], each " + form;
     if (value.length < 0) return "a list, each item " + form;
     return form;
@@ -155,6 +156,19 @@ Value value_of(std::string& place, std::string_view unit, Range range)
         if (const auto text = scalar(n, form_of(value), r)) place = *text;
     };
     value.write = [&place] { return place.empty() ? std::string() : yaml_text(place); };
+    return value;
+}
+
+Value value_of(std::array<std::string, 2>& place, std::string_view unit, Range range)
+{
+    Value value = make(Shape::text, unit, range, 2);
+    value.read = [&place, value](const Node& node, const Reading& reading) {
+        if (node.kind != Node::Kind::list || node.items.size() != 2)
+            return reading.problems.add(node.mark, "two names [a, b] are needed here", "write " + form_of(value));
+        for (std::size_t n = 0; n < 2; ++n)
+            if (const auto text = scalar(node.items[n], form_of(value), reading)) place[n] = *text;
+    };
+    value.write = [&place] { return fmt::format("[{}, {}]", yaml_text(place[0]), yaml_text(place[1])); };
     return value;
 }
 

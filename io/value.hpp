@@ -80,6 +80,8 @@ struct Value {
 [[nodiscard]] Value value_of(std::vector<std::array<double, 2>>& place, std::string_view unit, Range range);
 /// Three quantities [x, y, z].
 [[nodiscard]] Value value_of(core::Vec3& place, std::string_view unit, Range range);
+/// Two names [a, b].
+[[nodiscard]] Value value_of(std::array<std::string, 2>& place, std::string_view unit, Range range);
 /// Three counts [x, y, z].
 [[nodiscard]] Value value_of(std::array<int, 3>& place, std::string_view unit, Range range);
 

@@ -67,7 +67,11 @@ void World::make_grains()
     traffic_.emplace(scene_, domain, std::int64_t(grains.size()));
     grains_.emplace(make_dynamics(scene_, census_, mesh_));
     require_clear_of_walls(scene_.walls, grains, *grains_);
+    bed_contact_ = bed_contact(scene_, census_, particle_parameters(scene_));
     contact_step_ = grains_->step();
+    if (const auto speed = impact_speed(scene_); scene_.contact->law == ContactLaw::hertz && !scene_.contact->impact_speed)
+        notes_.push_back(
+            core::text("sub-steps of the grains are made for impacts of up to ", speed, " m/s: contact.impact_speed changes it"));
     const physics::OwnerOf owner_of = [this](const core::Vec3& x) { return this->owner_of(x); };
     add_grains(grains, owner_of, ranks_.rank(), *grains_);
     stepper_.emplace(*grains_, owner_of, ranks_.rank(), ranks_.size());

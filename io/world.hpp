@@ -3,6 +3,7 @@
 #pragma once
 // A scene come to life on this rank: mesh, fluid, grains, their coupling, and the graph of the stages that make a step.
 // What the scene does not name is not there.
+#include "io/contact_builder.hpp"
 #include "io/grain_census.hpp"
 #include "io/grain_traffic.hpp"
 #include "io/state_copy.hpp"
@@ -118,6 +119,7 @@ private:
 
     Scene scene_;
     GrainCensus census_;
+    BedContact bed_contact_;
     core::Communicator ranks_;
     core::Mesh mesh_;
     core::Locator locator_;

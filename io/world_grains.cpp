@@ -2,27 +2,41 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/world_grains.hpp"
 #include "core/base/error.hpp"
+#include "io/contact_builder.hpp"
 #include "io/grid_builder.hpp"
 #include "io/physics_builder.hpp"
 #include "io/world_walls.hpp"
 #include "physics/coupling/bed_stiffness.hpp"
 #include "physics/particles/time_step.hpp"
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace io {
 namespace {
 
-/// A share of the shortest contact, within what is stable.
-double sub_step(const Scene& scene, double lightest, const physics::ParticleParameters& parameters)
+/// The smallest diameter that particles of the species have or may have [m].
+double smallest_of(const Species& species, const GrainCensus& census)
 {
-    core::ParticleSet one;
-    core::Sphere sphere;
-    sphere.density = 1.0;
-    sphere.radius = std::cbrt(0.75 * lightest / std::numbers::pi);
-    one.add(sphere);
-    const physics::StepLimits limits = physics::step_limits(one, parameters);
-    return physics::choose_step(limits, limits.contact_time / scene.contact->steps_per_contact);
+    if (!has_sizes(species)) return census.smallest; // from a file
+    return species.count.value_or(0) > 0 && !species.inflow ? diameters_of(species).front() : size_range(species)[0];
+}
+
+/// A share of the shortest contact, within what is stable.
+double sub_step(const Scene& scene, const GrainCensus& census, const physics::ParticleParameters& parameters)
+{
+    core::ParticleSet smallest; // of each species
+    for (std::size_t n = 0; n < scene.particles.size() && std::isfinite(census.smallest); ++n) {
+        core::Sphere sphere;
+        sphere.radius = smallest_of(scene.particles[n], census) / 2;
+        sphere.density = scene.particles[n].density;
+        sphere.species = std::int32_t(n);
+        smallest.add(sphere);
+    }
+    const physics::StepLimits limits = physics::step_limits(smallest, parameters);
+    // strong damping asks for less than a share of the contact
+    const double wanted = std::min(limits.contact_time / scene.contact->steps_per_contact, 0.5 * limits.stable);
+    return physics::choose_step(limits, wanted);
 }
 
 } // namespace
@@ -36,6 +50,11 @@ physics::ParticleDynamics make_dynamics(const Scene& scene, const GrainCensus& c
     physics::ParticleDynamics dynamics(domain, parameters, primitive_walls(scene, domain), step);
     if (scene.contact->walls == WallShape::faces) dynamics.add_surface(grid_surface(census.largest, mesh, domain));
     add_own_surfaces(scene.walls, dynamics);
+    const bool faces = scene.contact->walls == WallShape::faces;
+    physics::ParticleDynamics dynamics(make_domain(scene.grid), parameters,
+                                       faces ? std::vector<physics::Wall>{} : primitive_walls(scene.grid),
+                                       sub_step(scene, census, parameters));
+    if (faces) dynamics.set_surface(wall_surface(census.largest, mesh, dynamics.domain()));
     return dynamics;
 }
 
@@ -55,13 +74,12 @@ core::Vec3 settling_gravity(const Scene& scene, const GrainCensus& census)
     return (1 - scene.fluid->material.density * census.volume / census.mass) * gravity;
 }
 
-double bed_stiffness(const Scene& scene, const GrainCensus& census, const core::Domain& domain, double grains)
+double bed_stiffness(const BedContact& contact, const core::Vec3& gravity, const GrainCensus& census, const core::Domain& domain,
+                     double grains)
 {
     double layers = 1.0;
-    if (census.count > 0)
-        layers = physics::bed_layers(domain, gravity_of(scene), grains * census.volume / double(census.count), census.smallest);
-    const double normal = scene.contact->stiffness;
-    return physics::bed_stiffness(physics::layer_stiffness(normal, scene.contact->tangential_ratio * normal), layers);
+    if (census.count > 0) layers = physics::bed_layers(domain, gravity, grains * census.volume / double(census.count), census.smallest);
+    return physics::bed_stiffness(physics::layer_stiffness(contact.stiffness, contact.tangential_ratio * contact.stiffness), layers);
 }
 
 } // namespace io

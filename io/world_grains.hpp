@@ -3,6 +3,7 @@
 #pragma once
 // The particles of a scene: their laws, their walls, their places at the start.
 #include "core/grid/mesh.hpp"
+#include "io/contact_builder.hpp"
 #include "io/grain_census.hpp"
 #include "physics/particles/stepper.hpp"
 
@@ -19,6 +20,7 @@ void add_grains(const std::vector<core::Sphere>& grains, const physics::OwnerOf&
 
 /// How stiff a bed of all grains is as a whole, per grain [N/m].
 /// @param grains  Number of all ranks: an exact one, by which all ranks choose alike.
-[[nodiscard]] double bed_stiffness(const Scene& scene, const GrainCensus& census, const core::Domain& domain, double grains);
+[[nodiscard]] double bed_stiffness(const BedContact& contact, const core::Vec3& gravity, const GrainCensus& census,
+                                   const core::Domain& domain, double grains);
 
 } // namespace io

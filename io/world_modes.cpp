@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // By which coupling mode a World steps, and why.
 #include "core/base/error.hpp"
+#include "io/physics_builder.hpp"
 #include "io/world.hpp"
 #include "io/world_grains.hpp"
+
+#include <cmath>
 
 namespace io {
 
@@ -12,7 +15,8 @@ physics::StabilityNumbers World::stability(double dt) const
 {
     double grains = double(grains_->particles.owned);
     ranks_.sum(std::span(&grains, 1));
-    const physics::StabilityNumbers own = coupling_->stability(dt, bed_stiffness(scene_, census_, grains_->domain(), grains));
+    const physics::StabilityNumbers own =
+        coupling_->stability(dt, bed_stiffness(bed_contact_, gravity_of(scene_), census_, grains_->domain(), grains));
     std::array greatest{own.stiffness, own.loading, own.amplification, own.solid_fraction, own.softness};
     ranks_.max(greatest);
     return {greatest[0], greatest[1], greatest[2], greatest[3], grains * sub_steps_ / double(mesh_.total_cells()), greatest[4]};
@@ -39,12 +43,14 @@ physics::Mode World::choose_mode()
     coupling_->bed_gives_way = physics::gives_way(numbers.stiffness * numbers.loading, numbers.softness);
     if (coupling_->bed_gives_way && !told_of_soft_springs_) {
         told_of_soft_springs_ = true;
-        const double enough = scene_.contact->stiffness * numbers.softness / physics::swaying_softness;
+        // Hertz' springs under a given load stiffen with the power 2/3 of the modulus
+        const bool linear = scene_.contact->law == ContactLaw::linear;
+        const double factor = std::pow(numbers.softness / physics::swaying_softness, linear ? 1.0 : 1.5);
         warnings_.push_back(
             core::text("springs are soft against drag, K/(k dt) = ", numbers.softness, " where ", physics::swaying_softness,
                        " holds a bed: it goes with the fluid, and grains resist less what flows between them; for beds that "
-                       "hold, make contact.stiffness ",
-                       enough, " N/m"));
+                       "hold, make contact.",
+                       linear ? "stiffness " : "young_modulus ", factor, " times as large"));
     }
     if (step > 0 && choice.mode != asked_mode_ && told_modes_.insert(choice.mode).second) { // it may come and go
         const bool safer = choice.mode == physics::Mode::iterated;

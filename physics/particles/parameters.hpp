@@ -28,6 +28,8 @@ struct ContactParameters {
     double rolling_friction = 0.0;  ///< Greatest torque against rolling over normal force and reduced radius [-].
     double twisting_friction = 0.0; ///< The same against twisting [-].
     double cohesion = 0.0;          ///< Work of adhesion [J/m2].
+    double impact_speed = 1.0;      ///< Hertz: speed of the fastest impact, which decides the time step [m/s].
+    bool operator==(const ContactParameters&) const = default;
 };
 
 struct ParticleParameters {

@@ -51,8 +51,8 @@ TEST_CASE("all mistakes of a file are shown at once, in the order of the text")
     auto text = with("50 mm", "50");
     text = with("2 mm", "2 kg", text);
     text = with("stiffness", "stifness", text);
-    CHECK(problems_of(text) ==
-          std::vector<std::string>{"3:21 '50' has no unit", "9:37 'kg' has the wrong dimension", "10:12 unknown key 'stifness'"});
+    CHECK(problems_of(text) == std::vector<std::string>{"3:21 '50' has no unit", "9:37 'kg' has the wrong dimension",
+                                                        "10:1 law: linear needs 'stiffness'", "10:12 unknown key 'stifness'"});
 }
 
 TEST_CASE("a problem shows the line, a caret below the place, and what to do")

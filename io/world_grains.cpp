@@ -45,16 +45,11 @@ physics::ParticleDynamics make_dynamics(const Scene& scene, const GrainCensus& c
 {
     const physics::ParticleParameters parameters = particle_parameters(scene);
     const core::Domain domain = make_domain(scene.grid);
-    const double step = sub_step(scene, census.lightest, parameters);
+    const double step = sub_step(scene, census, parameters);
     require_slow_walls(scene.walls, census.smallest, domain, step);
     physics::ParticleDynamics dynamics(domain, parameters, primitive_walls(scene, domain), step);
     if (scene.contact->walls == WallShape::faces) dynamics.add_surface(grid_surface(census.largest, mesh, domain));
     add_own_surfaces(scene.walls, dynamics);
-    const bool faces = scene.contact->walls == WallShape::faces;
-    physics::ParticleDynamics dynamics(make_domain(scene.grid), parameters,
-                                       faces ? std::vector<physics::Wall>{} : primitive_walls(scene.grid),
-                                       sub_step(scene, census, parameters));
-    if (faces) dynamics.set_surface(wall_surface(census.largest, mesh, dynamics.domain()));
     return dynamics;
 }
 

@@ -28,8 +28,9 @@ Outcome outcome(const Measured& material, double slip)
     test::Impact impact;
     impact.radius = material.diameter / 2;
     impact.density = material.density;
-    // so stiff that the normal hardly turns while surfaces slide; a spring across the normal of ratio kappa turns by pi sqrt(3.5 kappa) while the other turns by pi: beta is - e cos of it
+    // a spring across the normal of ratio kappa turns by pi sqrt(3.5 kappa) while the other turns by pi: beta is - e cos of it
     const double turn = std::acos(-material.reversal / material.restitution) / std::numbers::pi;
+    // so stiff that the normal hardly turns while surfaces slide
     impact.contact = {1e10, turn * turn / 3.5, material.restitution, material.friction};
     const double approach = 0.5; // of each sphere
     impact.velocity = Vec3(slip * approach, 0, -approach);

@@ -25,6 +25,9 @@ namespace io {
 /// Of each wall of the scene's own, mean of the last step: force on it [N], torque on it about the point of its axis, or of its own if it
 /// does not turn [N m], power that it gives to the particles [W].
 [[nodiscard]] MetricGroup wall_metrics(World& world);
+/// What output.grains asks for: mean number of contacts with others; granular temperature, its mean over the volume of the grains [m2/s2];
+/// Lacey's index of the first species among the others: 0 where cells hold one kind, 1 where they hold what chance would give them.
+[[nodiscard]] MetricGroup measured_metrics(World& world);
 /// Against gravity: mean and its standard error for each species, lowest and highest centre [m].
 [[nodiscard]] MetricGroup height_metrics(World& world);
 /// Volume of the solid in the cells [m3], its relative defect against the particles, largest solid fraction.

@@ -7,6 +7,7 @@
 #include "io/fluid_keys.hpp"
 #include "io/particle_keys.hpp"
 #include "io/wall_keys.hpp"
+#include <algorithm>
 
 namespace io {
 
@@ -32,11 +33,16 @@ struct Run {
     bool operator==(const Run&) const = default;
 };
 
+/// What is measured of the grains, beside their number, energy and heights.
+enum class GrainMeasure { contacts, motion, mixing };
+inline constexpr std::array<std::string_view, 3> grain_measure_words{"contacts", "motion", "mixing"};
+
 struct Output {
     Interval results, pictures;
     Interval checkpoint;
     Interval metrics{Interval::Clock::steps, 1.0};
     int keep_checkpoints = 2;
+    std::vector<GrainMeasure> grains;
     bool operator==(const Output&) const = default;
 };
 
@@ -60,6 +66,10 @@ struct Scene {
     Solver solver;
     bool operator==(const Scene&) const = default;
 
+    [[nodiscard]] bool measures(GrainMeasure what) const
+    {
+        return std::find(output.grains.begin(), output.grains.end(), what) != output.grains.end();
+    }
     /// Fills in what other keys decide: the size of a pipe, the coupling of fluid and particles.
     void resolve();
 };

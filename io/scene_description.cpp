@@ -33,6 +33,10 @@ static void describe(Schema& s, Output& p)
     s.value("pictures", p.pictures, "", "Pictures");
     s.value("checkpoint", p.checkpoint, "", "Checkpoints, from which a run goes on with the same bits");
     s.value("metrics", p.metrics, "", "Rows of metrics.csv");
+    s.value("grains",
+            "Measured of the grains, in metrics.csv and in the cells of results: contacts (coordination, stress), motion (fraction, mean "
+            "velocity, granular temperature), mixing (Lacey's index, metrics only)",
+            choices_of(p.grains, grain_measure_words));
     s.value("keep_checkpoints", p.keep_checkpoints, "", "Newest checkpoints that are kept", at_least(1));
 }
 

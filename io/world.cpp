@@ -73,6 +73,7 @@ void World::make_grains()
         notes_.push_back(
             core::text("sub-steps of the grains are made for impacts of up to ", speed, " m/s: contact.impact_speed changes it"));
     const physics::OwnerOf owner_of = [this](const core::Vec3& x) { return this->owner_of(x); };
+    if (scene_.measures(GrainMeasure::contacts)) grains_->watch_contacts();
     add_grains(grains, owner_of, ranks_.rank(), *grains_);
     stepper_.emplace(*grains_, owner_of, ranks_.rank(), ranks_.size());
 }
@@ -82,6 +83,13 @@ tasks::Layout World::layout() const
     tasks::Layout layout;
     for (const core::Extents e : mesh_.own_cells()) layout.cells.push_back(e.size());
     return layout;
+}
+
+std::optional<core::Location> World::location_of(const core::Vec3& position) const
+{
+    core::Vec3 inside = position;
+    for (int a = 0; a < 3; ++a) inside[a] = grains_->domain().wrapped(a, position[a]);
+    return locator_.find(inside + grains_->domain().origin);
 }
 
 int World::owner_of(const core::Vec3& position) const { return locator_.owner(position + grains_->domain().origin); }

@@ -55,6 +55,8 @@ public:
     /// How steps run whose mode is not that of the plan: the first, and those for which another is better.
     void run_other_modes_with(const tasks::ExecutorOptions& options) { other_options_ = options; }
 
+    /// The cell that holds a position relative to the domain's origin [m].
+    [[nodiscard]] std::optional<core::Location> location_of(const core::Vec3& position) const;
     /// The rank that owns what lies at a position relative to the domain's origin [m]; the same on all ranks.
     [[nodiscard]] int owner_of(const core::Vec3& position) const;
 

@@ -16,6 +16,7 @@ std::vector<MetricGroup> state_metrics(World& world)
     if (world.grains()) groups.push_back(particle_metrics(world));
     if (world.traffic() && world.traffic()->is_open()) groups.push_back(traffic_metrics(world));
     if (world.grains() && !world.scene().walls.empty()) groups.push_back(wall_metrics(world));
+    if (world.grains() && !world.scene().output.grains.empty()) groups.push_back(measured_metrics(world));
     if (world.grains() && world.scene().gravity) groups.push_back(height_metrics(world));
     if (world.coupling()) groups.push_back(solid_metrics(world));
     return groups;

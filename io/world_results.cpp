@@ -29,16 +29,19 @@ std::vector<double> positions_of(const physics::ParticleDynamics& grains)
 
 WorldResults::WorldResults(const World& world, const std::string& directory)
 {
-    if (world.fluid()) fluid_.emplace(directory, world.ranks(), blocks_of(world.mesh()), nodes_of(world.mesh()));
+    const bool measured = world.scene().measures(GrainMeasure::contacts) || world.scene().measures(GrainMeasure::motion);
+    if (world.grains() && measured) grain_fields_.emplace(world);
+    if (world.fluid() || grain_fields_) cells_.emplace(directory, world.ranks(), blocks_of(world.mesh()), nodes_of(world.mesh()));
     if (world.grains()) particles_.emplace(directory, world.ranks());
 }
 
 void WorldResults::write(World& world, std::int64_t number)
 {
     const ResultTime when{int(number), world.time()};
-    if (fluid_) {
+    std::vector<FieldViews<const double>> fields;
+    if (world.fluid()) {
         const physics::FluidState& state = world.fluid()->state();
-        std::vector<FieldViews<const double>> fields{views(state.velocity), views(state.pressure)};
+        fields = {views(state.velocity), views(state.pressure)};
         if (const auto* turbulence = std::as_const(world).turbulence()) {
             fields.push_back(views(turbulence->k()));
             fields.push_back(views(turbulence->epsilon()));
@@ -46,8 +49,12 @@ void WorldResults::write(World& world, std::int64_t number)
         if (world.scalars())
             for (const core::ScalarField& scalar : std::as_const(*world.scalars()).fields().values) fields.push_back(views(scalar));
         if (world.coupling()) fields.push_back(views(std::as_const(world.coupling()->fields().fraction)));
-        (void)fluid_->write(when, fields);
     }
+    if (grain_fields_) {
+        grain_fields_->find(world);
+        for (const auto& view : grain_fields_->all()) fields.push_back(view);
+    }
+    if (cells_) (void)cells_->write(when, fields);
     if (particles_) write_particles(world, when);
 }
 

@@ -40,8 +40,11 @@ void GrainExchange::take_off(const std::vector<core::Vec3>& wakes, const core::P
     for (int g = 0; g < grains.owned; ++g) {
         const auto k = std::size_t(g);
         for (std::size_t a = 0; a < 3; ++a) views[view_velocity + a][k] -= wakes[k][int(a)];
-        const double own = own_fraction(volume_of(grains, g), parameters_.filter_width, around.spread[k]);
-        around.fraction[k] = 1.0 - fraction_of_others(1.0 - around.fraction[k], own);
+        const double own = own_fraction(volume_of(grains, g), parameters_.filter_width, around.spread[k]), solid = 1.0 - around.fraction[k];
+        constexpr double least = 1e-6; // so that the mean diameter, solid over surface, stays what it is where nothing is left
+        const double kept = solid > 0.0 ? std::max(least, fraction_of_others(solid, own) / solid) : 1.0;
+        around.fraction[k] = 1.0 - kept * solid;
+        if (!around.surface.empty()) around.surface[k] *= kept;
     }
 }
 

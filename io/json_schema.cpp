@@ -64,7 +64,9 @@ class JsonBuilder final : public Schema {
 public:
     void exactly_one(const std::vector<std::string>& keys) override
     {
-        for (const auto& key : keys) one_of_.push_back({{"required", Json::array({key})}});
+        Json choice = Json::array();
+        for (const auto& key : keys) choice.push_back({{"required", Json::array({key})}});
+        choices_.push_back({{"oneOf", choice}});
     }
 
     [[nodiscard]] Json finish(const std::string& meaning) const
@@ -72,7 +74,7 @@ public:
         Json json{{"type", "object"}, {"description", meaning}, {"properties", properties_}};
         json["additionalProperties"] = named_;
         if (!required_.empty()) json["required"] = required_;
-        if (!one_of_.empty()) json["oneOf"] = one_of_;
+        if (!choices_.empty()) json["allOf"] = choices_;
         if (named_.is_object()) json["minProperties"] = 1;
         return json;
     }
@@ -105,7 +107,7 @@ private:
     }
 
     Json properties_ = Json::object();
-    Json required_ = Json::array(), one_of_ = Json::array();
+    Json required_ = Json::array(), choices_ = Json::array();
     Json named_ = false;
 };
 

@@ -90,9 +90,12 @@ tasks::Job ScalarDiffusion::apply(tasks::Lane& lane, std::span<const double> in,
     });
 }
 
+/// Turbulence, whose values are given in cells at walls, keeps Jacobi's preconditioner: where its viscosity changes a hundred
+/// thousand times from cell to cell V-cycles lose all digits.
 tasks::Job ScalarDiffusion::prepare_multigrid(tasks::Lane& lane)
 {
-    if (!DiffusionMultigrid::pays(number_)) co_return;
+    by_multigrid_ = DiffusionMultigrid::pays(number_) && !equation_->free;
+    if (!by_multigrid_) co_return;
     multigrid_.prepare();
     for_blocks(lane, [&](core::LocalBlock b) {
         const auto [factor, shift] = multigrid_.parts(b);
@@ -101,9 +104,6 @@ tasks::Job ScalarDiffusion::prepare_multigrid(tasks::Lane& lane)
             factor, [now](double d) { return now * d; }, equation_->diffusivity.on(b));
         map_cells(
             shift, [](double w, double v) { return w * v; }, equation_->capacity.on(b), geometry(b).volume.view());
-        if (equation_->free) // cells whose value is given hold their neighbours
-            map_cells(
-                shift, [held = 1e3 * number_](double wv, double free) { return free > 0 ? wv : held * wv; }, shift, equation_->free->on(b));
     });
     co_await multigrid_.set_up(lane);
     co_await multigrid_.expect_right(lane, residual_);
@@ -111,14 +111,8 @@ tasks::Job ScalarDiffusion::prepare_multigrid(tasks::Lane& lane)
 
 tasks::Job ScalarDiffusion::precondition(tasks::Lane& lane, std::span<const double> in, std::span<double> out)
 {
-    if (DiffusionMultigrid::pays(number_)) {
+    if (by_multigrid_) {
         co_await multigrid_.precondition(lane, in, out);
-        for_blocks(lane, [&](core::LocalBlock b) {
-            if (!equation_->free) return;
-            map_cells(
-                layout_.view(b, out), [](double x, double free, double r, double w, double v) { return free > 0 ? x : r / (w * v); },
-                part(b, out), equation_->free->on(b), part(b, in), equation_->capacity.on(b), geometry(b).volume.view());
-        });
         co_return;
     }
     for_blocks(lane, [&](core::LocalBlock b) {

@@ -60,6 +60,7 @@ private:
     std::vector<double> residual_, solution_;
     const DiffusionEquation* equation_ = nullptr; ///< that is being solved
     DiffusionMultigrid multigrid_;
+    bool by_multigrid_ = false;
     double number_ = 0.0;   ///< largest exchange of a cell in the step over its capacity
     double implicit_ = 1.0; ///< share of the new values
     int products_ = 0;

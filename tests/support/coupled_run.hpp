@@ -96,6 +96,7 @@ public:
             world_.grains()->history.end_row();
             ++sphere.id;
         }
+        world_.traffic()->restore(io::GrainTraffic(world_.scene(), world_.grains()->domain(), sphere.id).state());
     }
     /// Stops all grains: after settling, a last one may roll about for long.
     void stop_grains()

@@ -6,9 +6,10 @@
 
 namespace physics {
 
-bool DiffusionMultigrid::pays(double number)
+bool DiffusionMultigrid::pays(double number) const
 {
-    return number > 300.0; // a third of the time is saved at 200 already on small grids, but ordinary flows stay far below
+    const bool uneven = context_.viscosity_ratio && context_.viscosity_ratio->used();
+    return !uneven && number > 300.0; // a third of the time is saved at 200 already on small grids, but ordinary flows stay far below
 }
 
 void DiffusionMultigrid::prepare()

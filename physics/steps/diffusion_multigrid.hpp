@@ -13,9 +13,9 @@ public:
     /// @param pressure  Whose grids are taken; must outlive this.
     DiffusionMultigrid(const SystemContext& context, const PressureSystem& pressure) : context_(context), pressure_(pressure) {}
 
-    /// Does a V-cycle pay?
+    /// Does a V-cycle pay? Not where turbulence or grains make viscosity differ from cell to cell: coarse cells know nothing of jumps.
     /// @param number  Largest sum of a cell's diffusive exchange in the step over its capacity: twice its explicit limit would be 1.
-    [[nodiscard]] static bool pays(double number);
+    [[nodiscard]] bool pays(double number) const;
 
     /// Coefficients of the equation, to be filled for every block before set_up().
     struct Parts {

@@ -90,11 +90,9 @@ tasks::Job ScalarDiffusion::apply(tasks::Lane& lane, std::span<const double> in,
     });
 }
 
-/// Turbulence, whose values are given in cells at walls, keeps Jacobi's preconditioner: where its viscosity changes a hundred
-/// thousand times from cell to cell V-cycles lose all digits.
 tasks::Job ScalarDiffusion::prepare_multigrid(tasks::Lane& lane)
 {
-    by_multigrid_ = DiffusionMultigrid::pays(number_) && !equation_->free;
+    by_multigrid_ = multigrid_.pays(number_);
     if (!by_multigrid_) co_return;
     multigrid_.prepare();
     for_blocks(lane, [&](core::LocalBlock b) {

@@ -75,8 +75,7 @@ tasks::Job ViscositySystem::precondition(tasks::Lane& lane, std::span<const doub
     co_return;
 }
 
-/// V-cycles where viscosity reaches across many cells in the step: Jacobi's preconditioner takes as many iterations. Where turbulence
-/// makes viscosity jump from cell to cell V-cycles lose all digits.
+/// V-cycles where viscosity reaches across many cells in the step: Jacobi's preconditioner takes as many iterations.
 tasks::Job ViscositySystem::choose_preconditioner(tasks::Lane& lane)
 {
     double number = 0;
@@ -85,7 +84,7 @@ tasks::Job ViscositySystem::choose_preconditioner(tasks::Lane& lane)
             number = std::max(number, diffusion_ * transmissibility_sum_.on(b)(i, j, k) / context_.mesh.geometry(b).volume(i, j, k));
         });
     co_await lane.max(std::span(&number, 1));
-    by_multigrid_ = DiffusionMultigrid::pays(number) && !(context_.viscosity_ratio && context_.viscosity_ratio->used());
+    by_multigrid_ = multigrid_.pays(number);
     if (!by_multigrid_) co_return;
     multigrid_.prepare();
     unknown_.for_blocks(lane, [&](core::LocalBlock b) {

@@ -20,6 +20,10 @@ namespace io {
 [[nodiscard]] MetricGroup drive_metrics(World& world);
 /// Their number and kinetic energy, spin included [J].
 [[nodiscard]] MetricGroup particle_metrics(World& world);
+/// Kinetic, rotational, potential and elastic energy of the particles, what contacts dissipated and what walls gave so far [J]: the sum
+/// less what walls gave changes by what a fluid gives, where particles come in or leave with what was booked for them, and where they
+/// pass a periodic side along gravity. @pre output.energy_budget: kept
+[[nodiscard]] MetricGroup energy_metrics(World& world);
 /// Of each species that comes in the number so far; of each outlet the number and the mass that it has taken away [kg].
 [[nodiscard]] MetricGroup traffic_metrics(World& world);
 /// Of each wall of the scene's own, mean of the last step: force on it [N], torque on it about the point of its axis, or of its own if it

@@ -105,6 +105,7 @@ physics::ParticleParameters particle_parameters(const Scene& scene)
 {
     physics::ParticleParameters p;
     set_contacts(scene, p);
+    p.energy_budget = scene.output.energy_budget;
     p.gravity = gravity_of(scene);
     p.seed = std::uint64_t(scene.run.random_seed);
     return p;

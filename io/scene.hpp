@@ -37,12 +37,16 @@ struct Run {
 enum class GrainMeasure { contacts, motion, mixing };
 inline constexpr std::array<std::string_view, 3> grain_measure_words{"contacts", "motion", "mixing"};
 
+using EnergyBudget = physics::Budget;
+inline constexpr std::array<std::string_view, 2> energy_budget_words{"none", "kept"};
+
 struct Output {
     Interval results, pictures;
     Interval checkpoint;
     Interval metrics{Interval::Clock::steps, 1.0};
     int keep_checkpoints = 2;
     std::vector<GrainMeasure> grains;
+    EnergyBudget energy_budget = EnergyBudget::none; ///< of the particles
     bool operator==(const Output&) const = default;
 };
 

@@ -96,6 +96,8 @@ private:
         if (particles && scene_.fluid && scene_.fluid->advection == AdvectionScheme::finite_volume)
             complain("fluid.advection", "finite volumes do not carry the momentum of a fluid between particles yet",
                      "write advection: lcsi, or leave it out");
+        if (!particles && scene_.output.energy_budget == EnergyBudget::kept)
+            complain("output.energy_budget", "'energy_budget' does nothing without 'particles'", "remove it, or add particles");
         if (scene_.coupling && (!particles || !scene_.fluid))
             complain("coupling", "'coupling' needs both 'fluid' and 'particles'", "remove it, or add what is missing");
     }

@@ -38,6 +38,8 @@ static void describe(Schema& s, Output& p)
             "velocity, granular temperature), mixing (Lacey's index, metrics only)",
             choices_of(p.grains, grain_measure_words));
     s.value("keep_checkpoints", p.keep_checkpoints, "", "Newest checkpoints that are kept", at_least(1));
+    s.value("energy_budget", "Where the energy of the particles goes, in metrics.csv: kept costs some time in every contact",
+            choice_of(p.energy_budget, energy_budget_words));
 }
 
 static void describe(Schema& s, Solver& p)

@@ -61,6 +61,14 @@ std::vector<NamedColumns> columns_of(World& world)
         all.push_back({"told acceleration", columns(at.told, 3)});
         all.push_back({"hold", columns(at.hold, 1)});
     }
+    if (const auto& energy = world.grains()->energy(); energy.kept()) {
+        const auto add = [&](const char* name, int column) { all.push_back({name, {&p.columns[std::size_t(column)]}}); };
+        add("elastic energy", energy.elastic);
+        add("energy damped", energy.damping);
+        add("energy of friction", energy.friction);
+        add("energy of turning", energy.turning);
+        add("energy from walls", energy.walls);
+    }
     return all;
 }
 

@@ -14,6 +14,7 @@ std::vector<MetricGroup> state_metrics(World& world)
     if (world.turbulence()) groups.push_back(turbulence_metrics(world));
     if (world.scalars()) groups.push_back(scalar_metrics(world));
     if (world.grains()) groups.push_back(particle_metrics(world));
+    if (world.grains() && world.grains()->energy().kept()) groups.push_back(energy_metrics(world));
     if (world.traffic() && world.traffic()->is_open()) groups.push_back(traffic_metrics(world));
     if (world.grains() && !world.scene().walls.empty()) groups.push_back(wall_metrics(world));
     if (world.grains() && !world.scene().output.grains.empty()) groups.push_back(measured_metrics(world));

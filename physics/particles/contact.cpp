@@ -20,6 +20,7 @@ struct PairColumns {
     std::vector<core::Column>& spring;
     ContactForce* forces;
     ContactCouple* couples;
+    PairBook* books; ///< Null where no budget is kept.
 };
 
 /// The law of near pair m: the only one, or that of its two species.
@@ -74,8 +75,13 @@ void read_block(const MotionRecords::Record* records, const PairColumns& pair, i
 /// Gives pairs whose centres coincide a direction from their ids, and no spring.
 void separate(const PairScene& scene, const PairColumns& pair, int begin, int count, PairBlock& b);
 
+[[gnu::always_inline]] inline PairBook pair_book(const ContactBook& book, const ContactInput& in)
+{
+    return {book, {in.ny * book.fz - in.nz * book.fy, in.nz * book.fx - in.nx * book.fz, in.nx * book.fy - in.ny * book.fx}};
+}
+
 /// Forces of the pairs in the block; moves their springs. law_of(m) is the law of near pair m.
-template <class LawOf>
+template <Budget budget, class LawOf>
 void evaluate_block(const PairColumns& pair, int begin, int count, LawOf law_of, PairBlock& b)
 {
     using Law = typename LawOf::law_type;
@@ -102,6 +108,9 @@ void evaluate_block(const PairColumns& pair, int begin, int count, LawOf law_of,
         in.wx = li * b.ax[k] + lj * b.bx[k];
         in.wy = li * b.ay[k] + lj * b.by[k];
         in.wz = li * b.az[k] + lj * b.bz[k];
+        in.gx = 0.5 * (b.ax[k] + b.bx[k]);
+        in.gy = 0.5 * (b.ay[k] + b.by[k]);
+        in.gz = 0.5 * (b.az[k] + b.bz[k]);
         in.twist = 0.5 * ((b.ax[k] + b.bx[k]) * in.nx + (b.ay[k] + b.by[k]) * in.ny + (b.az[k] + b.bz[k]) * in.nz);
         in.root_mass = root_mass[k];
         in.radius = b.ri[k] * b.rj[k] / (b.ri[k] + b.rj[k]);
@@ -109,6 +118,7 @@ void evaluate_block(const PairColumns& pair, int begin, int count, LawOf law_of,
         in.uy = b.ay[k] - b.by[k];
         in.uz = b.az[k] - b.bz[k];
         const auto out = move_springs(law, in, springs, k);
+        if constexpr (budget == Budget::kept) pair.books[begin + k] = pair_book(contact_book(law, in, out), in);
         b.fx[k] = out.fx;
         b.fy[k] = out.fy;
         b.fz[k] = out.fz;
@@ -163,7 +173,8 @@ void run_pairs(const PairScene& scene, const PairColumns& pair, int begin, int e
         const int count = std::min(PairBlock::size, end - begin);
         read_block(scene.records.data(), pair, begin, count, shift_of, block);
         if (any_coincident(block, count)) separate(scene, pair, begin, count, block);
-        evaluate_block(pair, begin, count, law_of, block);
+        if (pair.books) evaluate_block<Budget::kept>(pair, begin, count, law_of, block);
+        else evaluate_block<Budget::none>(pair, begin, count, law_of, block);
         write_block(block, count, pair.forces + begin);
         if constexpr (LawOf::law_type::resists_turning) write_couples(block, count, pair.couples + begin);
     }
@@ -209,8 +220,13 @@ void run_chunk(const PairScene& scene, const core::NearPairs& near, int chunk, c
 
 void pair_forces(const PairScene& scene, core::NearPairs& near, int chunk, PairForces& forces)
 {
-    const PairColumns pair{near.first.data(), near.second.data(),   near.root_mass.data(),
-                           near.spring,       forces.forces.data(), forces.couples.data()};
+    const PairColumns pair{near.first.data(),
+                           near.second.data(),
+                           near.root_mass.data(),
+                           near.spring,
+                           forces.forces.data(),
+                           forces.couples.data(),
+                           forces.books.empty() ? nullptr : forces.books.data()};
     std::visit(
         [&]<class Law>(const std::vector<Law>& laws) {
             if (laws.size() == 1) run_chunk(scene, near, chunk, pair, OneLaw<Law>{laws.front()});

@@ -3,6 +3,7 @@
 #pragma once
 // Forces of touching pairs, first pair by pair, then summed for each particle in the order of its neighbours' ids.
 #include "core/particles/near_pairs.hpp"
+#include "physics/particles/contact_books.hpp"
 #include "physics/particles/contact_laws.hpp"
 #include "physics/particles/motion_records.hpp"
 
@@ -19,14 +20,22 @@ struct alignas(32) ContactCouple {
     double torque[4]; ///< The fourth is not used.
 };
 
+/// The energy of a pair's contact, and normal x force of its dashpots, which times each lever arm is their torque.
+struct PairBook {
+    ContactBook book;
+    double torque[3]; ///< [N]
+};
+
 /// What the contacts of pairs do, one place for each pair of the pair list.
 struct PairForces {
     std::vector<ContactForce> forces;
     std::vector<ContactCouple> couples; ///< Empty where contacts do not resist turning.
-    void resize(std::size_t pairs, const ContactLaws& laws)
+    std::vector<PairBook> books;        ///< Empty where no budget is kept.
+    void resize(std::size_t pairs, const ContactLaws& laws, Budget budget)
     {
         forces.resize(pairs);
         couples.resize(resist_turning(laws) ? pairs : 0);
+        books.resize(budget == Budget::kept ? pairs : 0);
     }
 };
 

@@ -40,16 +40,36 @@ struct GeneralContact {
     }
     [[gnu::always_inline, nodiscard]] inline GeneralOutput operator()(const ContactInput& c) const;
 
-private:
-    [[gnu::always_inline, nodiscard]] inline TurnResistance resistance(const ContactInput& c, double coefficient, double normal) const;
+    /// The resistance of one kind of turning at an overlap. @param coefficient  `rolling` or `twisting`.
+    [[gnu::always_inline, nodiscard]] inline TurnResistance resistance(const ContactInput& c, double overlap, double coefficient,
+                                                                       double normal) const;
 };
 
-/// The resistance of one kind of turning. The dashpot is 0.3 of the critical one for a sphere that rolls on a wall (7/5 m R^2).
-inline TurnResistance GeneralContact::resistance(const ContactInput& c, double coefficient, double normal) const
+/// The turn that the springs held before, turned with the contact: rolling across the normal, twist along it [rad].
+struct HeldTurn {
+    double x, y, z, twist;
+};
+
+/// In a step the contact turns by 2 (m x n), as its normal does, and about it by its twist.
+[[gnu::always_inline, nodiscard]] inline HeldTurn held_turn(double step, const ContactInput& c)
+{
+    const double angle = step * c.twist;
+    const double ox = 2.0 * (c.my * c.nz - c.mz * c.ny) + angle * c.nx;
+    const double oy = 2.0 * (c.mz * c.nx - c.mx * c.nz) + angle * c.ny;
+    const double oz = 2.0 * (c.mx * c.ny - c.my * c.nx) + angle * c.nz;
+    const double qx = c.rx + oy * c.rz - oz * c.ry, qy = c.ry + oz * c.rx - ox * c.rz, qz = c.rz + ox * c.ry - oy * c.rx;
+    const double before = c.rx * c.rx + c.ry * c.ry + c.rz * c.rz, after = qx * qx + qy * qy + qz * qz;
+    const double keep = std::sqrt(before / std::max(after, tiny_denominator));
+    const double twist = keep * (qx * c.nx + qy * c.ny + qz * c.nz);
+    return {keep * qx - twist * c.nx, keep * qy - twist * c.ny, keep * qz - twist * c.nz, twist};
+}
+
+/// The dashpot is 0.3 of the critical one for a sphere that rolls on a wall (7/5 m R^2).
+inline TurnResistance GeneralContact::resistance(const ContactInput& c, double overlap, double coefficient, double normal) const
 {
     constexpr double damping_ratio = 0.3, rolling_inertia = 1.4;
     const double arm = coefficient * c.radius, inertia = c.root_mass * c.root_mass * c.radius * c.radius;
-    const double normal_stiffness = linear.stiffness + 1.5 * hertz.modulus * std::sqrt(c.radius * std::max(0.0, c.overlap));
+    const double normal_stiffness = linear.stiffness + 1.5 * hertz.modulus * std::sqrt(c.radius * std::max(0.0, overlap));
     const double stiffness = turning_spring * 2.25 * normal_stiffness * arm * arm;
     return {arm * normal, stiffness, 2.0 * damping_ratio * std::sqrt(rolling_inertia * inertia * stiffness), stop * inertia};
 }
@@ -61,19 +81,12 @@ inline GeneralOutput GeneralContact::operator()(const ContactInput& c) const
     out.fx += attraction * c.nx;
     out.fy += attraction * c.ny;
     out.fz += attraction * c.nz;
-    // the springs turn with the contact: the normal by 2 (m x n) in a step, and the twist about it
-    const double angle = step * c.twist;
-    const double ox = 2.0 * (c.my * c.nz - c.mz * c.ny) + angle * c.nx;
-    const double oy = 2.0 * (c.mz * c.nx - c.mx * c.nz) + angle * c.ny;
-    const double oz = 2.0 * (c.mx * c.ny - c.my * c.nx) + angle * c.nz;
-    const double qx = c.rx + oy * c.rz - oz * c.ry, qy = c.ry + oz * c.rx - ox * c.rz, qz = c.rz + ox * c.ry - oy * c.rx;
-    const double before = c.rx * c.rx + c.ry * c.ry + c.rz * c.rz, after = qx * qx + qy * qy + qz * qz;
-    const double keep = touching * std::sqrt(before / std::max(after, tiny_denominator));
-    const double rn = keep * (qx * c.nx + qy * c.ny + qz * c.nz), un = c.ux * c.nx + c.uy * c.ny + c.uz * c.nz;
-    const TurnOutput roll = resist_turn(resistance(c, rolling, out.normal), step, c.ux - un * c.nx, c.uy - un * c.ny, c.uz - un * c.nz,
-                                        keep * qx - rn * c.nx, keep * qy - rn * c.ny, keep * qz - rn * c.nz);
-    const TurnOutput twist =
-        resist_turn(resistance(c, twisting, out.normal), step, un * c.nx, un * c.ny, un * c.nz, rn * c.nx, rn * c.ny, rn * c.nz);
+    const HeldTurn held = held_turn(step, c);
+    const double un = c.ux * c.nx + c.uy * c.ny + c.uz * c.nz;
+    const TurnOutput roll = resist_turn(resistance(c, c.overlap, rolling, out.normal), step, c.ux - un * c.nx, c.uy - un * c.ny,
+                                        c.uz - un * c.nz, held.x, held.y, held.z);
+    const TurnOutput twist = resist_turn(resistance(c, c.overlap, twisting, out.normal), step, un * c.nx, un * c.ny, un * c.nz,
+                                         held.twist * c.nx, held.twist * c.ny, held.twist * c.nz);
     out.mx = touching * (roll.mx + twist.mx);
     out.my = touching * (roll.my + twist.my);
     out.mz = touching * (roll.mz + twist.mz);

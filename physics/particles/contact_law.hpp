@@ -18,6 +18,8 @@ struct ContactInput {
     double vx, vy, vz; ///< Velocity of the first centre against the second [m/s].
     double wx, wy, wz; ///< Spins weighted with the lever arms, first + second [m/s].
     double twist;      ///< Turn of the contact about its normal [1/s].
+    double gx, gy,
+        gz; ///< What the weighted spins gain where the lever arms were longer, by approach: at a wall its spin, else the mean [1/s].
     double sx, sy, sz; ///< Tangential spring [m].
     double root_mass;  ///< Square root of the reduced mass [kg^1/2].
     double radius;     ///< Reduced radius; at a wall the particle's [m].
@@ -42,16 +44,15 @@ struct ContactStiffness {
     double fade;               ///< Share of the old tangential displacement that goes on: what a stiffer spring needs for the same force.
 };
 
-/// The force of a contact; `law.at(contact, normal_speed)` are its springs, `law.friction` Coulomb's coefficient and `law.step` the
-/// time step. The tangential spring follows the turn of the contact at constant length; it grows by the slip of the last step, seen
-/// in the plane of the time of the velocities. A sliding contact stores the spring that carries the whole friction force and has no
-/// tangential dashpot.
-template <class Law>
-[[gnu::always_inline]] inline ContactOutput contact_force(const Law& law, const ContactInput& c)
+/// Velocity of the surfaces against each other across the normal [m/s], and the spring of before, turned with the contact [m].
+struct Slip {
+    double tx, ty, tz;
+    double bx, by, bz;
+};
+
+/// The spring follows the turn of the contact at constant length; velocities are taken in the plane of their own time.
+[[gnu::always_inline, nodiscard]] inline Slip slip_of(double step, const ContactInput& c, double vn)
 {
-    const double vn = c.vx * c.mx + c.vy * c.my + c.vz * c.mz;
-    const ContactStiffness k = law.at(c, vn);
-    const double normal = std::max(0.0, k.elastic + k.damping * c.root_mass * vn);
     double tx = c.vx - vn * c.mx + (c.wy * c.mz - c.wz * c.my);
     double ty = c.vy - vn * c.my + (c.wz * c.mx - c.wx * c.mz);
     double tz = c.vz - vn * c.mz + (c.wx * c.my - c.wy * c.mx);
@@ -62,18 +63,31 @@ template <class Law>
 
     const double sn = c.sx * c.nx + c.sy * c.ny + c.sz * c.nz;
     const double px = c.sx - sn * c.nx, py = c.sy - sn * c.ny, pz = c.sz - sn * c.nz;
-    const double angle = law.step * c.twist;
+    const double angle = step * c.twist;
     const double qx = px + angle * (c.ny * pz - c.nz * py);
     const double qy = py + angle * (c.nz * px - c.nx * pz);
     const double qz = pz + angle * (c.nx * py - c.ny * px);
     const double before = c.sx * c.sx + c.sy * c.sy + c.sz * c.sz, after = qx * qx + qy * qy + qz * qz;
-    const double keep = k.fade * std::sqrt(before / std::max(after, tiny_denominator));
-    const double sx = keep * qx + law.step * tx, sy = keep * qy + law.step * ty, sz = keep * qz + law.step * tz;
+    const double keep = std::sqrt(before / std::max(after, tiny_denominator));
+    return {tx, ty, tz, keep * qx, keep * qy, keep * qz};
+}
+
+/// The force of a contact; `law.at(contact, normal_speed)` are its springs, `law.friction` Coulomb's coefficient and `law.step` the
+/// time step. The tangential spring grows by the slip of the last step. A sliding contact stores the spring that carries the whole
+/// friction force and has no tangential dashpot.
+template <class Law>
+[[gnu::always_inline]] inline ContactOutput contact_force(const Law& law, const ContactInput& c)
+{
+    const double vn = c.vx * c.mx + c.vy * c.my + c.vz * c.mz;
+    const ContactStiffness k = law.at(c, vn);
+    const double normal = std::max(0.0, k.elastic + k.damping * c.root_mass * vn);
+    const Slip t = slip_of(law.step, c, vn);
+    const double sx = k.fade * t.bx + law.step * t.tx, sy = k.fade * t.by + law.step * t.ty, sz = k.fade * t.bz + law.step * t.tz;
 
     const double dashpot = k.tangential_damping * c.root_mass;
-    const double gx = -k.tangential * sx - dashpot * tx;
-    const double gy = -k.tangential * sy - dashpot * ty;
-    const double gz = -k.tangential * sz - dashpot * tz;
+    const double gx = -k.tangential * sx - dashpot * t.tx;
+    const double gy = -k.tangential * sy - dashpot * t.ty;
+    const double gz = -k.tangential * sz - dashpot * t.tz;
     const double limit = law.friction * normal;
     const double trial = std::sqrt(gx * gx + gy * gy + gz * gz);
     const bool touching = c.overlap > 0.0, sliding = trial > limit;

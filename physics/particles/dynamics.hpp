@@ -7,6 +7,7 @@
 #include "physics/particles/surface_contacts.hpp"
 #include "physics/particles/walls.hpp"
 
+#include <limits>
 #include <optional>
 #include <variant>
 
@@ -37,6 +38,8 @@ public:
 
     [[nodiscard]] const core::Domain& domain() const { return domain_; }
     [[nodiscard]] double step() const { return step_; }
+    /// Where the energy of the particles goes, in scenes that keep a budget.
+    [[nodiscard]] const EnergyColumns& energy() const { return energy_; }
     /// @pre no batch of sub-steps has been begun
     void set_step(double step);
 
@@ -44,6 +47,10 @@ public:
     void begin(std::optional<double> time);
     /// Brings the walls to where they are when the forces of `sub_step` act.
     void move_walls(int sub_step);
+    /// The longest sub-step in which a particle of this speed cannot jump through another, or a wall at rest: it moves by 0.15 of the
+    /// smallest radius, within its octave [s]. @param speed2  Greatest square of speed of all ranks [m2/s2].
+    [[nodiscard]] double longest_step(double speed2) const;
+
     /// First half drift of a batch of sub-steps. @returns the greatest square of speed of this rank [m2/s2].
     double start(const core::Team& team);
     /// One sub-step of all owned particles. Half a drift follows the kick, a whole one unless it is the `last` of the batch.
@@ -91,7 +98,7 @@ private:
     void return_springs(const core::Team& team);
     void refresh_near(const core::Team& team);
     void plan_segments(int threads);
-    void sum_chunk(int segment, int chunk, ForceSums& sums);
+    void sum_chunk(int segment, int chunk, ForceSums& sums, EnergySums* energy);
     template <class M>
     double advance_as(const M& motion, const core::Team& team, const DriftTimes& times);
 
@@ -104,6 +111,8 @@ private:
     int reports_ = 0, load_steps_ = 0;
     std::vector<WallLoad> loads_; // of each segment, reports_ of them
     std::array<core::Vec3, 27> shifts_;
+    EnergyColumns energy_;
+    double least_radius_ = std::numeric_limits<double>::infinity(); // greatest radius of the octave of the smallest
     double skin_ = 0.0, near_skin_ = 0.0;
     core::LevelBins bins_;
     core::CellLists cells_;

@@ -32,6 +32,9 @@ struct ContactParameters {
     bool operator==(const ContactParameters&) const = default;
 };
 
+/// Whether the energy of contacts is booked.
+enum class Budget { none, kept };
+
 struct ParticleParameters {
     int species = 1;
     /// species x species, row-major and symmetric; one entry serves all species.
@@ -42,6 +45,7 @@ struct ParticleParameters {
     double time_step = 0.0;                  ///< [s]; 0: a share of the contact time, see time_step.hpp.
     double skin = 0.0;                       ///< Reach of the pair lists beyond touching [m]; 0: chosen from the radii.
     double near_skin = 0.0;                  ///< Reach of the near pairs beyond touching [m]; 0: chosen from the radii.
+    Budget energy_budget = Budget::none;     ///< Kept: where the energy of the particles goes.
     std::uint64_t seed = 1;                  ///< Of all random numbers.
 };
 

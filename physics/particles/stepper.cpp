@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace physics {
 namespace {
@@ -101,6 +102,10 @@ void ParticleStepper::after_speeds(const core::Team& team)
 {
     core::require<core::NumericsError>(std::isfinite(shared_[0]),
                                        core::text("a particle has no finite speed in sub-step ", sub_step_, ": make the step smaller"));
+    core::require<core::NumericsError>(
+        dynamics_.step() <= dynamics_.longest_step(shared_[0]),
+        core::text("a particle with ", std::sqrt(shared_[0]), " m/s would pass through others in a sub-step of ", dynamics_.step(),
+                   " s: contacts are too soft, or their sub-steps longer than ", dynamics_.longest_step(shared_[0]), " s"));
     dynamics_.account(shared_[0], time_);
     if (have_ghosts_) {
         ghosts_.take_motion(dynamics_.particles);

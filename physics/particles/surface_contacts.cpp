@@ -198,32 +198,35 @@ void SurfaceContacts::find_touches(const Vec3& centre, double radius, int begin,
 }
 
 void SurfaceContacts::finish(const core::ParticleSet& p, const ContactLaws& laws, SurfaceTouches& block, Chunk& chunk,
-                             const Sums& sums) const
+                             const WallSums& sums) const
 {
     const ParticleColumns columns(p);
     const WallVelocity velocity(frame_.before());
+    const auto evaluate = [&]<Budget budget>(const auto law_of) {
+        if (frame_.moves()) block.evaluate_moving<budget>(columns, law_of, velocity);
+        else block.evaluate<budget>(columns, law_of);
+    };
     with_wall_laws(laws, p, [&](const auto law_of) {
-        if (frame_.moves()) block.evaluate_moving(columns, law_of, velocity);
-        else block.evaluate(columns, law_of);
+        if (sums.energy) evaluate.template operator()<Budget::kept>(law_of);
+        else evaluate.template operator()<Budget::none>(law_of);
     });
     block.add_to(SumColumns(sums.particles), index_of(sums.particles.begin));
+    if (sums.energy) block.add_books(columns, index_of(sums.particles.begin), WallVelocity(frame_.now()), *sums.energy);
     for (int k = 0; k < block.count; ++k) chunk.contacts.push_back({block.particle[k], block.normal(k), block.tangential(k)});
     for (int k = 0; k < block.count && block.turning; ++k) chunk.turns.push_back(block.turn(k));
-    for (int k = 0; k < block.count && sums.wall; ++k) {
+    for (int k = 0; k < block.count && report_ >= 0; ++k) {
         const Vec3 place = p.position_of(block.particle[k]) + block.depth[k] * block.normal(k);
         const MovingMeeting at = block.meeting(columns, k, 0.5 * step_of(laws), velocity);
         const Vec3 force = block.force(k), couple = block.couple(k);
         const double power = force.dot(Vec3(at.ux, at.uy, at.uz)) + couple.dot(Vec3(at.ox, at.oy, at.oz));
-        if (!force.isZero(0.0)) sums.wall->add({force, couple, place - frame_.now().axis_point, power});
+        if (!force.isZero(0.0)) sums.loads[index_of(report_)].add({force, couple, place - frame_.now().axis_point, power});
     }
     block.count = 0;
 }
 
-void SurfaceContacts::add_forces(const core::ParticleSet& p, const ContactLaws& laws, int chunk_number, ForceSums& force_sums,
-                                 WallLoads loads)
+void SurfaceContacts::add_forces(const core::ParticleSet& p, const ContactLaws& laws, int chunk_number, const WallSums& sums)
 {
     Chunk& chunk = chunks_[index_of(chunk_number)];
-    const Sums sums{force_sums, report_ < 0 ? nullptr : &loads[index_of(report_)]};
     find_feet(p, 0.5 * step_of(laws), chunk);
     std::swap(chunk.contacts, chunk.contacts_before);
     chunk.contacts.clear();

@@ -4,7 +4,7 @@
 // Contacts of particles with a wall surface: one for each place of contact, its friction carried from face to face.
 #include "physics/particles/surface_filter.hpp"
 #include "physics/particles/surface_touches.hpp"
-#include "physics/particles/wall_load.hpp"
+#include "physics/particles/wall_sums.hpp"
 
 namespace physics {
 
@@ -35,8 +35,7 @@ public:
     void append_row(int i, core::ContactHistory& history) const;
     /// Adds the forces of the surface to those of `chunk` and moves the springs one step on. Contacts whose normals differ by
     /// less than 10 degrees are one, the deeper; a contact goes on with the spring of the last contact of similar normal.
-    /// @param loads  Of the walls that are reported; moments about the points of their axes.
-    void add_forces(const core::ParticleSet& particles, const ContactLaws& laws, int chunk, ForceSums& sums, WallLoads loads);
+    void add_forces(const core::ParticleSet& particles, const ContactLaws& laws, int chunk, const WallSums& sums);
 
 private:
     /// What a contact keeps for the next step.
@@ -95,12 +94,8 @@ private:
     void find_touches(const core::Vec3& centre, double radius, int begin, int end, Chunk& chunk) const;
     /// The springs of the contact among [first, last) of contacts_before of the most similar normal, which is spent; zero if there is none.
     [[nodiscard]] static core::Spring take_spring(Chunk& chunk, std::ptrdiff_t first, std::ptrdiff_t last, const core::Vec3& normal);
-    /// Where forces go.
-    struct Sums {
-        ForceSums& particles;
-        WallLoad* wall; ///< None for a wall that is not reported.
-    };
-    void finish(const core::ParticleSet& particles, const ContactLaws& laws, SurfaceTouches& block, Chunk& chunk, const Sums& sums) const;
+    void finish(const core::ParticleSet& particles, const ContactLaws& laws, SurfaceTouches& block, Chunk& chunk,
+                const WallSums& sums) const;
     /// Where a centre is in the surface's own frame.
     [[nodiscard]] core::Vec3 own(const core::Vec3& x) const { return frame_.moves() ? frame_.now().own(x) : x; }
 

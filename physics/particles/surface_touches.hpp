@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Places where particles touch a surface, some at a time, for vector code.
-#include "physics/particles/wall_force.hpp"
+#include "physics/particles/energy_budget.hpp"
 
 namespace physics {
 
@@ -15,6 +15,7 @@ struct alignas(64) SurfaceTouches {
     Lane fx, fy, fz;                    ///< Forces [N].
     Lane tx, ty, tz;                    ///< Torques against turning [N m].
     bool turning = false;               ///< True if contacts resist turning.
+    ContactBook books[size];            ///< Where a budget is kept.
     int count = 0;
 
     /// @param normal,before  From the surface to the particle, now and half a step ago.
@@ -39,17 +40,17 @@ struct alignas(64) SurfaceTouches {
     [[nodiscard]] WallMeeting at(int k) const { return {nx[k], ny[k], nz[k], mx[k], my[k], mz[k], depth[k]}; }
 
     /// Forces; moves the springs one step on. law_of(i) is the law of particle i.
-    template <class LawOf>
+    template <Budget budget, class LawOf>
     void evaluate(const ParticleColumns& columns, LawOf law_of)
     {
-        evaluate_at(columns, law_of, [this](int k, double) { return at(k); });
+        evaluate_at<budget>(columns, law_of, [this](int k, double) { return at(k); });
     }
     /// The same with a wall that moves.
-    template <class LawOf>
+    template <Budget budget, class LawOf>
     void evaluate_moving(const ParticleColumns& columns, LawOf law_of, const WallVelocity& velocity)
     {
-        evaluate_at(columns, law_of,
-                    [this, &columns, velocity](int k, double half_step) { return meeting(columns, k, half_step, velocity); });
+        evaluate_at<budget>(columns, law_of,
+                            [this, &columns, velocity](int k, double half_step) { return meeting(columns, k, half_step, velocity); });
     }
     [[gnu::always_inline]] MovingMeeting meeting(const ParticleColumns& p, int k, double half_step, const WallVelocity& velocity) const
     {
@@ -67,9 +68,20 @@ struct alignas(64) SurfaceTouches {
         }
     }
 
+    /// Adds the books likewise. @param velocity  Of the wall now.
+    void add_books(const ParticleColumns& p, std::size_t first, const WallVelocity& velocity, EnergySums& energy) const
+    {
+        for (int k = 0; k < count; ++k) {
+            const auto i = std::size_t(particle[k]);
+            const GeneralOutput out{{fx[k], fy[k], fz[k], 0.0, 0.0, 0.0, 0.0}, couple(k)[0], couple(k)[1], couple(k)[2], 0.0, 0.0, 0.0};
+            add_wall_book(books[k], at(k), i - first, energy);
+            add_wall_work(out, books[k], velocity.present(at(k), p.x[i], p.y[i], p.z[i]), i - first, energy);
+        }
+    }
+
 private:
     /// meeting_at(k, half a step) is where contact k is.
-    template <class LawOf, class MeetingAt>
+    template <Budget budget, class LawOf, class MeetingAt>
     [[gnu::always_inline]] void evaluate_at(const ParticleColumns& columns, LawOf law_of, MeetingAt meeting_at)
     {
         using Law = std::decay_t<decltype(law_of(0))>;
@@ -81,6 +93,7 @@ private:
             const Law& law = law_of(i);
             ContactInput in = wall_input(columns, i, meeting_at(k, 0.5 * law.step));
             const auto out = move_springs(law, in, springs, k);
+            if constexpr (budget == Budget::kept) books[k] = contact_book(law, in, out);
             fx[k] = out.fx;
             fy[k] = out.fy;
             fz[k] = out.fz;

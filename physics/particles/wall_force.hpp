@@ -67,6 +67,9 @@ struct SumColumns {
     in.wx = at.depth * p.wx[i];
     in.wy = at.depth * p.wy[i];
     in.wz = at.depth * p.wz[i];
+    in.gx = p.wx[i];
+    in.gy = p.wy[i];
+    in.gz = p.wz[i];
     in.twist = 0.5 * (p.wx[i] * at.nx + p.wy[i] * at.ny + p.wz[i] * at.nz);
     in.root_mass = std::sqrt(p.mass[i]);
     in.radius = p.radius[i];
@@ -90,6 +93,9 @@ struct MovingMeeting : WallMeeting {
     in.ux -= at.ox;
     in.uy -= at.oy;
     in.uz -= at.oz;
+    in.gx -= at.ox;
+    in.gy -= at.oy;
+    in.gz -= at.oz;
     in.twist += 0.5 * (at.ox * at.nx + at.oy * at.ny + at.oz * at.nz);
     return in;
 }
@@ -111,7 +117,17 @@ struct WallVelocity {
     /// @param x,y,z  The centre half a step ago [m].
     [[gnu::always_inline]] MovingMeeting operator()(const WallMeeting& at, double x, double y, double z) const
     {
-        const double cx = x + at.depth * at.mx, cy = y + at.depth * at.my, cz = z + at.depth * at.mz;
+        return moving(at, x + at.depth * at.mx, y + at.depth * at.my, z + at.depth * at.mz);
+    }
+    /// The same where the particle is now, if the wall moves like this now. @param x,y,z  The centre [m].
+    [[gnu::always_inline]] MovingMeeting present(const WallMeeting& at, double x, double y, double z) const
+    {
+        return moving(at, x + at.depth * at.nx, y + at.depth * at.ny, z + at.depth * at.nz);
+    }
+
+private:
+    [[gnu::always_inline]] MovingMeeting moving(const WallMeeting& at, double cx, double cy, double cz) const
+    {
         return {at, vx + (oy * cz - oz * cy), vy + (oz * cx - ox * cz), vz + (ox * cy - oy * cx), ox, oy, oz};
     }
 };

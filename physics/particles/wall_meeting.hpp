@@ -56,14 +56,22 @@ template <class Meeting>
 struct MovedMeeting {
     static constexpr bool moves = true;
     Meeting now, before;
-    WallVelocity velocity;
+    WallVelocity velocity, velocity_now;
 
-    MovedMeeting(const Meeting& now_, const Meeting& before_, const WallPose& pose) : now(now_), before(before_), velocity(pose) {}
+    MovedMeeting(const Meeting& now_, const Meeting& before_, const WallFrame& frame)
+        : now(now_), before(before_), velocity(frame.before()), velocity_now(frame.now())
+    {
+    }
     [[gnu::always_inline]] MovingMeeting operator()(double x, double y, double z, double hx, double hy, double hz) const
     {
         const double ex = x - hx, ey = y - hy, ez = z - hz;
         const WallMeeting at = now(x, y, z, 0.0, 0.0, 0.0), earlier = before(ex, ey, ez, 0.0, 0.0, 0.0);
         return velocity({at.nx, at.ny, at.nz, earlier.nx, earlier.ny, earlier.nz, at.depth}, ex, ey, ez);
+    }
+    /// The same with the wall's velocity of now.
+    [[gnu::always_inline]] MovingMeeting present(double x, double y, double z, const WallMeeting& at) const
+    {
+        return velocity_now.present(at, x, y, z);
     }
 };
 

@@ -85,12 +85,13 @@ struct NoNotes {
 };
 
 /// law_of(i) is the law of particle i.
-template <class Meet, class LawOf, class Notes>
-void run_contacts(const core::ParticleSet& p, const WallColumns& wall, const Meet meet, const LawOf law_of, ForceSums& sums, Notes& notes)
+template <Budget budget, class Meet, class LawOf, class Notes>
+void run_contacts(const core::ParticleSet& p, const WallColumns& wall, const Meet meet, const LawOf law_of, const WallSums& sums,
+                  Notes& notes)
 {
     const ParticleColumns columns(p);
-    const SumColumns add(sums);
-    const auto first = index_of(sums.begin);
+    const SumColumns add(sums.particles);
+    const auto first = index_of(sums.particles.begin);
 #pragma omp simd
     for (int k = wall.begin; k < wall.end; ++k) {
         const auto i = index_of(wall.particle[k]);
@@ -101,6 +102,11 @@ void run_contacts(const core::ParticleSet& p, const WallColumns& wall, const Mee
         const auto out = move_springs(law, in, wall.springs, k);
         add_wall_force(out, at, i - first, add);
         notes.take(index_of(k - wall.begin), x, y, z, at, out);
+        if constexpr (budget == Budget::kept) {
+            const ContactBook book = contact_book(law, in, out);
+            add_wall_book(book, at, i - first, *sums.energy);
+            if constexpr (Meet::moves) add_wall_work(out, book, meet.present(x, y, z, at), i - first, *sums.energy);
+        }
     }
 }
 
@@ -137,10 +143,10 @@ void WallContacts::with_meeting(std::size_t w, Act act) const
     std::visit(
         [&](const auto& wall) {
             if (!list.frame.moves() && list.report < 0) return act(meeting_of(wall));
-            const WallPose &now = list.frame.now(), &before = list.frame.before();
+            const WallFrame& frame = list.frame;
             const auto own = meeting_of(wall);
-            if (list.same_shape) act(MovedMeeting(own, own, before));
-            else act(MovedMeeting(meeting_of(placed(wall, now)), meeting_of(placed(wall, before)), before));
+            if (list.same_shape) act(MovedMeeting(own, own, frame));
+            else act(MovedMeeting(meeting_of(placed(wall, frame.now())), meeting_of(placed(wall, frame.before())), frame));
         },
         walls_[w]);
 }
@@ -241,7 +247,7 @@ void WallContacts::append_row(int i, core::ContactHistory& history) const
     }
 }
 
-void WallContacts::add_forces(const core::ParticleSet& p, const ContactLaws& laws, int chunk, ForceSums& sums, WallLoads loads)
+void WallContacts::add_forces(const core::ParticleSet& p, const ContactLaws& laws, int chunk, const WallSums& sums)
 {
     for (std::size_t w = 0; w < walls_.size(); ++w) {
         auto& list = lists_[w];
@@ -249,9 +255,13 @@ void WallContacts::add_forces(const core::ParticleSet& p, const ContactLaws& law
                                   list.near_end[index_of(chunk)]};
         with_meeting(w, [&]<class Meet>(const Meet& meet) {
             std::conditional_t<Meet::moves, ContactNotes, NoNotes> notes;
-            with_wall_laws(laws, p, [&](const auto law_of) { run_contacts(p, columns, meet, law_of, sums, notes); });
+            with_wall_laws(laws, p, [&](const auto law_of) {
+                if (sums.energy) run_contacts<Budget::kept>(p, columns, meet, law_of, sums, notes);
+                else run_contacts<Budget::none>(p, columns, meet, law_of, sums, notes);
+            });
             if constexpr (Meet::moves)
-                if (list.report >= 0) notes.add_to(loads[index_of(list.report)], columns.end - columns.begin, list.frame.now().axis_point);
+                if (list.report >= 0)
+                    notes.add_to(sums.loads[index_of(list.report)], columns.end - columns.begin, list.frame.now().axis_point);
         });
     }
 }

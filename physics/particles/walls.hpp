@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Contact of particles with planes and cylinders.
-#include "physics/particles/force_sums.hpp"
 #include "physics/particles/wall_frame.hpp"
-#include "physics/particles/wall_load.hpp"
+#include "physics/particles/wall_sums.hpp"
 
 #include <variant>
 
@@ -45,9 +44,8 @@ public:
     /// Appends the springs of owned particle i to the last row of `history`.
     void append_row(int i, core::ContactHistory& history) const;
     /// Adds the forces of the walls to those of `chunk`, wall by wall, and moves the springs one step on.
-    /// @param laws   One for each species, or one for all.
-    /// @param loads  Of the walls that are reported; moments about the points of their axes.
-    void add_forces(const core::ParticleSet& particles, const ContactLaws& laws, int chunk, ForceSums& sums, WallLoads loads);
+    /// @param laws  One for each species, or one for all.
+    void add_forces(const core::ParticleSet& particles, const ContactLaws& laws, int chunk, const WallSums& sums);
     [[nodiscard]] bool empty() const { return walls_.empty(); }
 
     void move_to(const WallTime& at);

@@ -64,6 +64,22 @@ TEST_CASE("a crystal gains no energy with steps up to the stable one")
         }
 }
 
+TEST_CASE("a sub-step in which a ball moves by more than 0.15 of the smallest radius is refused, with the longest that would do")
+{
+    const double step = 1e-5;
+    const auto run = [&](double share) {
+        physics::ParticleDynamics dynamics({}, test::material(1000, 0.5, 0.5), {}, step);
+        auto fast = test::sphere(0, Vec3::Zero(), 3 * radius);
+        fast.velocity = Vec3(0, 0, share * radius / step);
+        dynamics.particles.add(fast);
+        dynamics.particles.add(test::sphere(1, Vec3(10 * radius, 0, 0), radius));
+        test::run(dynamics, Vec3::Zero(), 3);
+    };
+    CHECK_NOTHROW(run(0.149));
+    const double longest = 0.15 / 0.151 * step;
+    CHECK_THROWS_WITH_AS(run(0.151), doctest::Contains(core::text("longer than ", longest, " s").c_str()), core::NumericsError);
+}
+
 TEST_CASE("a frictional heap that springs against rolling hold does not creep in a hundred thousand steps")
 {
     // balls without rolling friction go on to roll and to spin in their places

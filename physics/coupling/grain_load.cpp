@@ -65,7 +65,9 @@ std::vector<double> GrainExchange::drags(const core::ParticleSet& grains, const 
         if (parameters_.mixture) {
             for (int g = 0; g < grains.owned; ++g) {
                 const auto k = std::size_t(g);
-                drag[k] = drag_in_mixture(law, input(g), (1.0 - around.fraction[k]) / around.surface[k]);
+                constexpr double least = 1e-12; // of the fraction of solids, below which round-off hides who is around
+                const double solid = 1.0 - around.fraction[k];
+                drag[k] = drag_in_mixture(law, input(g), solid > least ? solid / around.surface[k] : 2.0 * grains.radius[k]);
             }
         } else {
             for (int g = 0; g < grains.owned; ++g) drag[std::size_t(g)] = law(input(g));

@@ -153,9 +153,11 @@ void ParticleDynamics::sort(const core::Bounds& bounds, const core::Octaves& gre
     const core::Vec3 around = core::Vec3::Constant(*std::max_element(greatest.begin(), greatest.end()) + skin_);
     extent_ = {bounds.low - around, bounds.high + around};
     const auto smallest = std::find_if(greatest.begin(), greatest.end(), [](double r) { return r > 0.0; });
-    least_radius_ = smallest == greatest.end() ? std::numeric_limits<double>::infinity() : *smallest;
+    const auto all = std::int64_t(std::accumulate(count.begin(), count.end(), 0.0));
+    const bool can_meet = all > 1 || !walls_.empty() || !surfaces_.empty();
+    least_radius_ = smallest == greatest.end() || !can_meet ? std::numeric_limits<double>::infinity() : *smallest;
     const core::SizeLevels sizes(greatest);
-    bins_ = core::make_level_bins(domain_, bounds, sizes, skin_, std::int64_t(std::accumulate(count.begin(), count.end(), 0.0)));
+    bins_ = core::make_level_bins(domain_, bounds, sizes, skin_, all);
     const auto order = core::order_by_bin(particles, bins_.lattice[std::size_t(sizes.level_of(radius))]);
     particles.reorder(order);
     history.reorder(order);

@@ -5,18 +5,33 @@
 
 namespace physics {
 
-tasks::Job find_largest_rate(tasks::Lane& lane, const core::Mesh& mesh, const core::ScalarField& through, const core::ScalarField& share,
-                             double& rate)
+/// rate_of(b, i, j, k): that of a cell [1/s].
+template <class RateOf>
+static tasks::Job find_largest(tasks::Lane& lane, const core::Mesh& mesh, RateOf rate_of, double& rate)
 {
     std::vector<double> largest(std::size_t(mesh.own_count()), 0.0);
     lane.team().run(mesh.own_count(), [&](int b) {
-        const core::View<const double> q = through.on(b), w = share.on(b), volume = mesh.geometry(b).volume.view();
         double& most = largest[std::size_t(b)];
-        core::for_each_cell(q.extents(), [&](int i, int j, int k) { most = std::max(most, q(i, j, k) / (w(i, j, k) * volume(i, j, k))); });
+        core::for_each_cell(mesh.geometry(b).cells, [&](int i, int j, int k) { most = std::max(most, rate_of(b, i, j, k)); });
     });
     rate = 0;
     for (const double r : largest) rate = std::max(rate, r);
     co_await lane.max(std::span(&rate, 1));
+}
+
+tasks::Job find_largest_rate(tasks::Lane& lane, const core::Mesh& mesh, const core::ScalarField& through, const core::ScalarField& share,
+                             double& rate)
+{
+    const auto rate_of = [&](core::LocalBlock b, int i, int j, int k) {
+        return through.on(b)(i, j, k) / (share.on(b)(i, j, k) * mesh.geometry(b).volume(i, j, k));
+    };
+    co_await find_largest(lane, mesh, rate_of, rate);
+}
+
+tasks::Job find_largest_rate(tasks::Lane& lane, const core::Mesh& mesh, const core::ScalarField& through, double& rate)
+{
+    const auto rate_of = [&](core::LocalBlock b, int i, int j, int k) { return through.on(b)(i, j, k) / mesh.geometry(b).volume(i, j, k); };
+    co_await find_largest(lane, mesh, rate_of, rate);
 }
 
 } // namespace physics

@@ -14,5 +14,7 @@ namespace physics {
 /// @param[out] rate  [1/s]
 tasks::Job find_largest_rate(tasks::Lane& lane, const core::Mesh& mesh, const core::ScalarField& through, const core::ScalarField& share,
                              double& rate);
+/// The same where all of each cell can be filled.
+tasks::Job find_largest_rate(tasks::Lane& lane, const core::Mesh& mesh, const core::ScalarField& through, double& rate);
 
 } // namespace physics

@@ -8,6 +8,7 @@
 #include "physics/fluid/gradient.hpp"
 #include "physics/fluid/viscous_residual.hpp"
 #include "physics/steps/krylov_job.hpp"
+#include "physics/steps/largest_rate.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -78,13 +79,9 @@ tasks::Job ViscositySystem::precondition(tasks::Lane& lane, std::span<const doub
 /// V-cycles where viscosity reaches across many cells in the step: Jacobi's preconditioner takes as many iterations.
 tasks::Job ViscositySystem::choose_preconditioner(tasks::Lane& lane)
 {
-    double number = 0;
-    for (core::LocalBlock b = 0; b < context_.mesh.own_count(); ++b)
-        core::for_each_cell(context_.mesh.geometry(b).cells, [&](int i, int j, int k) {
-            number = std::max(number, diffusion_ * transmissibility_sum_.on(b)(i, j, k) / context_.mesh.geometry(b).volume(i, j, k));
-        });
-    co_await lane.max(std::span(&number, 1));
-    by_multigrid_ = multigrid_.pays(number);
+    double rate = 0;
+    co_await find_largest_rate(lane, context_.mesh, transmissibility_sum_, rate);
+    by_multigrid_ = multigrid_.pays(diffusion_ * rate);
     if (!by_multigrid_) co_return;
     multigrid_.prepare();
     unknown_.for_blocks(lane, [&](core::LocalBlock b) {

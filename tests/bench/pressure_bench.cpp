@@ -4,32 +4,14 @@
 // Sizes: cells along an edge of the cube or channel (64); multiples of 21,000 cells in the pipe: 1, 2 (x 8), 4 (x 64).
 #include "core/comm/communicator.hpp"
 #include "tests/support/conduction_pipe.hpp"
+#include "tests/support/processor_time.hpp"
 #include <algorithm>
 #include <cstdio>
-#include <ctime>
 #include <string>
 
 namespace {
 
-/// Processor time of all threads [s].
-double processor_time() { return double(std::clock()) / CLOCKS_PER_SEC; }
-
-/// Shortest processor time of some repetitions [s], each at least 5 ms long.
-template <class Work>
-double seconds(int repetitions, Work work)
-{
-    double best = 1e30;
-    for (int n = 0; n < repetitions; ++n) {
-        const double start = processor_time();
-        int runs = 0;
-        do {
-            work();
-            ++runs;
-        } while (processor_time() - start < 5e-3);
-        best = std::min(best, (processor_time() - start) / runs);
-    }
-    return best;
-}
+using test::seconds;
 
 test::ConductionProblem problem(const std::string& kind, int size)
 {

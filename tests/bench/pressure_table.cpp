@@ -5,26 +5,13 @@
 #include "core/comm/communicator.hpp"
 #include "tests/support/conduction_pipe.hpp"
 #include "tests/support/pressure_on_grid.hpp"
+#include "tests/support/processor_time.hpp"
 #include "tests/support/stretched_channel.hpp"
 #include <cstdio>
-#include <ctime>
 
 namespace {
 
-/// Processor time of all threads [s].
-double processor_time() { return double(std::clock()) / CLOCKS_PER_SEC; }
-
-template <class Work>
-double seconds(int repetitions, Work work)
-{
-    double best = 1e30;
-    for (int n = 0; n < repetitions; ++n) {
-        const double start = processor_time();
-        work();
-        best = std::min(best, processor_time() - start);
-    }
-    return best;
-}
+using test::seconds;
 
 void print_head(const char* what)
 {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Balls on walls of triangles, at rest and moving, against exact statics, exact motion and analytic walls.
 #include "tests/support/relative.hpp"
+#include "tests/support/rolling_ball.hpp"
 #include "tests/support/triangles.hpp"
 #include <doctest/doctest.h>
 
@@ -43,27 +44,6 @@ Triangles pyramid(int sides, double height)
         triangles.push_back({Vec3::Zero(), at(n), at(n + 1)});
     }
     return triangles;
-}
-
-double energy_error_of_a_turn(const Triangles& triangles)
-{
-    const double arm0 = 25e-3 - radius, stiffness = 1e5, speed = 1.5;
-    const auto parameters = test::material(stiffness, 1.0, 0.8);
-    physics::ParticleDynamics dynamics({}, parameters, {}, physics::contact_time(parameters.walls[0], mass) / 50);
-    dynamics.add_surface(test::surface(triangles));
-    const double press = mass * (speed * speed / arm0 + g) / stiffness;
-    auto ball = test::sphere(0, Vec3(20e-3, -(arm0 + press), 0), radius);
-    ball.velocity = Vec3(0, 0, speed);
-    ball.spin = Vec3(speed / (radius - press), 0, 0);
-    dynamics.particles.add(ball);
-    const auto energy = [&] {
-        const auto& p = dynamics.particles;
-        return 0.5 * mass * p.velocity_of(0).squaredNorm() + 0.2 * mass * radius * radius * p.spin_of(0).squaredNorm() +
-               mass * g * p.position[1][0];
-    };
-    const double before = energy();
-    test::run(dynamics, Vec3(0, -g, 0), int(2 * std::numbers::pi * arm0 / speed / dynamics.step()));
-    return std::abs(energy() - before) / before;
 }
 
 /// A ball thrown at a wall with a spin: where it is, and how it moves, after some bounces.
@@ -165,7 +145,7 @@ TEST_CASE("a thin blade pushes from the side where the ball is")
 TEST_CASE("a ball rolling round inside a cylinder of long triangles keeps its energy")
 {
     for (const int around : {32, 64, 128})
-        CHECK(energy_error_of_a_turn(test::long_cylinder(25e-3, 40e-3, around)) < 1e-5); // 1e-3 is wanted
+        CHECK(test::RollingBall{}.roll({}, test::surface(test::long_cylinder(25e-3, 40e-3, around))).energy_error < 1e-5); // 1e-3 is wanted
 }
 
 TEST_CASE("ten thousand joints of a plane take no energy from a rolling ball")

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // isago check: every mistake of a scene at once.
 #include "io/cli/command.hpp"
-#include "io/scene_reader.hpp"
+#include "io/scene/scene_reader.hpp"
 #include <fmt/core.h>
 #include <memory>
 

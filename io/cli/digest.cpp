@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // isago digest: one line that stands for every bit of the final state of a run.
 #include "core/base/error.hpp"
-#include "io/checkpoint.hpp"
 #include "io/cli/command.hpp"
-#include "io/run_directory.hpp"
+#include "io/files/checkpoint.hpp"
+#include "io/run/run_directory.hpp"
 #include <fmt/format.h>
 #include <memory>
 

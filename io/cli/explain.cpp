@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // isago explain: what a key of a scene means, what to write, and its default.
 #include "io/cli/command.hpp"
-#include "io/scene_writer.hpp"
+#include "io/scene/scene_writer.hpp"
 #include <fmt/core.h>
 #include <memory>
 

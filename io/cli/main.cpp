@@ -3,8 +3,8 @@
 // The program: reads the command line, runs one command, and turns what went wrong into a message and an exit code.
 #include "core/base/error.hpp"
 #include "io/cli/command.hpp"
-#include "io/problems.hpp"
-#include "io/version.hpp"
+#include "io/run/version.hpp"
+#include "io/scene/problems.hpp"
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iostream>

@@ -3,9 +3,9 @@
 #include "io/cli/parallel_options.hpp"
 
 #include "core/base/error.hpp"
-#include "io/launch.hpp"
-#include "io/manifest.hpp"
-#include "io/problems.hpp"
+#include "io/run/launch.hpp"
+#include "io/run/manifest.hpp"
+#include "io/scene/problems.hpp"
 #include <algorithm>
 
 namespace io {

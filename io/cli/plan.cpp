@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 // isago plan: what would run, what is left out and why, and what it costs in memory.
+#include "io/build/grid_report.hpp"
 #include "io/cli/command.hpp"
-#include "io/force_report.hpp"
-#include "io/grid_report.hpp"
-#include "io/scene_reader.hpp"
-#include "io/world.hpp"
+#include "io/run/force_report.hpp"
+#include "io/run/world.hpp"
+#include "io/scene/scene_reader.hpp"
 #include "tasks/overlap.hpp"
 #include <fmt/format.h>
 #include <iostream>

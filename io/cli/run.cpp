@@ -5,9 +5,9 @@
 #include "io/cli/command.hpp"
 #include "io/cli/parallel_options.hpp"
 #include "io/cli/together.hpp"
-#include "io/scene_reader.hpp"
-#include "io/simulation.hpp"
-#include "io/units.hpp"
+#include "io/run/simulation.hpp"
+#include "io/scene/scene_reader.hpp"
+#include "io/scene/units.hpp"
 #include <memory>
 
 namespace io {

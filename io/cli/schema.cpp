@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // isago schema: the JSON Schema of scene.yaml.
 #include "io/cli/command.hpp"
-#include "io/scene_writer.hpp"
+#include "io/scene/scene_writer.hpp"
 #include <fmt/core.h>
 
 namespace io {

@@ -3,7 +3,7 @@
 // isago stress: stiff and extreme cases, each with what must hold.
 #include "core/comm/communicator.hpp"
 #include "io/cli/command.hpp"
-#include "io/stress_run.hpp"
+#include "io/study/stress_run.hpp"
 #include <algorithm>
 #include <chrono>
 #include <fmt/format.h>

@@ -3,10 +3,10 @@
 // isago study: error against run time over cells, time steps and whatever else a study varies.
 #include "io/cli/command.hpp"
 #include "io/cli/parallel_options.hpp"
-#include "io/rank_zero.hpp"
-#include "io/run_directory.hpp"
-#include "io/study_ensemble.hpp"
-#include "io/study_report.hpp"
+#include "io/files/rank_zero.hpp"
+#include "io/run/run_directory.hpp"
+#include "io/study/study_ensemble.hpp"
+#include "io/study/study_report.hpp"
 #include <fmt/format.h>
 #include <memory>
 

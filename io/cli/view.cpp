@@ -3,7 +3,7 @@
 // isago view: a run on one page.
 #include "core/base/error.hpp"
 #include "io/cli/command.hpp"
-#include "io/report.hpp"
+#include "io/study/report.hpp"
 #include <fmt/core.h>
 #include <fstream>
 #include <memory>

@@ -1,10 +1,13 @@
 # SPDX-FileCopyrightText: 2026 The Isago authors
 # SPDX-License-Identifier: Apache-2.0
-"""A file includes only its own floor and those below; each outside library appears only where it has its job."""
+"""A file includes only its own floor and those below, in io its own room and those before; each outside library appears only where it has
+its job."""
 import re
 
 from house import FLOORS, includes, is_code, main
 
+# A scene is read, becomes grids and physics, runs, is drawn, and many runs make a study.
+ROOMS = ["scene", "files", "build", "picture", "run", "study", "cli"]
 # (header, where it may appear, in words)
 LIBRARIES = [
     (r"mpi\.h$", r"core/comm/", "core/comm"),
@@ -27,6 +30,18 @@ def check_floor(path, line, target):
         return [place + f"{floor} may not include {target}: it is on a floor above"]
     if floor == "physics" and target_floor == "tasks" and not path.startswith("physics/steps/"):
         return [place + f"only physics/steps may include {target}"]
+    if floor == target_floor == "io":
+        return check_room(path, place, target)
+    return []
+
+
+def check_room(path, place, target):
+    room, target_room = path.split("/")[1], target.split("/")[1]
+    for name in (room, target_room):
+        if name not in ROOMS:
+            return [place + f"io has no room '{name}'"]
+    if ROOMS.index(target_room) > ROOMS.index(room):
+        return [place + f"io/{room} may not include {target}: it is in a room behind it"]
     return []
 
 
@@ -51,8 +66,10 @@ def check(files):
 BAD = [
     {"core/a.hpp": '#include "tasks/graph.hpp"\n'},
     {"physics/fluid/a.hpp": '#include "tasks/graph.hpp"\n'},
-    {"physics/fluid/a.hpp": '#include "io/yaml.hpp"\n'},
+    {"physics/fluid/a.hpp": '#include "io/scene/yaml.hpp"\n'},
     {"core/grid/a.cpp": '#include "block.hpp"\n'},
+    {"io/scene/a.cpp": '#include "io/build/b.hpp"\n'},
+    {"io/attic/a.cpp": '#include "io/scene/b.hpp"\n'},
     {"core/grid/a.cpp": "#include <mpi.h>\n"},
     {"tasks/executor_serial.cpp": "#include <tbb/parallel_for.h>\n"},
     {"physics/fluid/a.cpp": "void f()\n{\n    #pragma omp parallel for\n}\n"},

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Fluid and grains in a box, from a few numbers to steps: what every test of the coupling in space starts from.
-#include "io/momentum_ledger.hpp"
-#include "io/world.hpp"
+#include "io/run/momentum_ledger.hpp"
+#include "io/run/world.hpp"
 #include <functional>
 #include <memory>
 #include <numbers>

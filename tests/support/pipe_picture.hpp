@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A picture to try the renderer on: grains of two sizes at the bottom of a horizontal pipe of glass.
-#include "io/picture.hpp"
+#include "io/picture/picture.hpp"
 #include <cmath>
 #include <numbers>
 

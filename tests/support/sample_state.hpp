@@ -3,9 +3,9 @@
 #pragma once
 // A small state of blocks, particles and contacts spread over any number of ranks, to be written and read back.
 #include "core/comm/communicator.hpp"
-#include "io/block_nodes.hpp"
-#include "io/checkpoint.hpp"
-#include "io/row_order.hpp"
+#include "io/files/block_nodes.hpp"
+#include "io/files/checkpoint.hpp"
+#include "io/files/row_order.hpp"
 #include <cmath>
 #include <filesystem>
 #include <unistd.h>

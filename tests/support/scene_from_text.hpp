@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Scenes that tests write down as users do.
-#include "io/scene_reader.hpp"
+#include "io/scene/scene_reader.hpp"
 #include <doctest/doctest.h>
 
 namespace test {

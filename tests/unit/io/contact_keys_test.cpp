@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/contact_builder.hpp"
-#include "io/physics_builder.hpp"
+#include "io/build/contact_builder.hpp"
+#include "io/build/physics_builder.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/scene_from_text.hpp"
 #include "tests/unit/io/scene_text.hpp"

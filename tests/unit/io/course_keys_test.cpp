@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/scene_writer.hpp"
+#include "io/scene/scene_writer.hpp"
 #include "scene_text.hpp"
 #include <doctest/doctest.h>
 #include <filesystem>

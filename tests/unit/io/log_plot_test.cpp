@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/log_plot.hpp"
+#include "io/study/log_plot.hpp"
 #include <doctest/doctest.h>
 
 TEST_CASE("a plot draws each positive point and names its curves")

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where particles of scenes are, come in and go out.
 #include "core/base/error.hpp"
-#include "io/grain_file.hpp"
-#include "io/scene_writer.hpp"
+#include "io/run/grain_file.hpp"
+#include "io/scene/scene_writer.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/scene_from_text.hpp"
 #include "tests/unit/io/scene_text.hpp"

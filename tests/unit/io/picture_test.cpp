@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/error.hpp"
-#include "io/picture_renderer.hpp"
-#include "io/picture_slice.hpp"
-#include "io/picture_text.hpp"
-#include "io/picture_worker.hpp"
+#include "io/picture/picture_renderer.hpp"
+#include "io/picture/picture_slice.hpp"
+#include "io/picture/picture_text.hpp"
+#include "io/picture/picture_worker.hpp"
 #include "tests/support/pipe_picture.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/sample_state.hpp"

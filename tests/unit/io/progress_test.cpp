@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/progress.hpp"
+#include "io/run/progress.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/unit/io/temporary_folder.hpp"
 #include <algorithm>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/error.hpp"
-#include "io/line_plot.hpp"
-#include "io/report.hpp"
+#include "io/study/line_plot.hpp"
+#include "io/study/report.hpp"
 #include "tests/unit/io/temporary_folder.hpp"
 #include <doctest/doctest.h>
 #include <fstream>

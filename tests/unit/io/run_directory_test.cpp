@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/error.hpp"
-#include "io/manifest.hpp"
-#include "io/metrics.hpp"
-#include "io/run_directory.hpp"
+#include "io/run/manifest.hpp"
+#include "io/run/metrics.hpp"
+#include "io/run/run_directory.hpp"
 #include "tests/unit/io/temporary_folder.hpp"
 #include <cmath>
 #include <doctest/doctest.h>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Short scenes for tests, and where the problems of a text are.
-#include "io/scene_reader.hpp"
+#include "io/scene/scene_reader.hpp"
 #include <fmt/format.h>
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/scene_writer.hpp"
+#include "io/scene/scene_writer.hpp"
 #include "tests/unit/io/scene_text.hpp"
 #include <algorithm>
 #include <doctest/doctest.h>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 // Sizes of particles in scenes.
-#include "io/grain_census.hpp"
+#include "io/build/grain_census.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/scene_from_text.hpp"
 #include "tests/unit/io/scene_text.hpp"

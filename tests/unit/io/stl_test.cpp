@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // STL files in text and binary, and the triangles of walls.
 #include "core/base/error.hpp"
-#include "io/stl.hpp"
-#include "io/wall_shapes.hpp"
+#include "io/build/wall_shapes.hpp"
+#include "io/files/stl.hpp"
 #include "tests/unit/io/temporary_folder.hpp"
 #include <doctest/doctest.h>
 #include <fstream>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/launch.hpp"
-#include "io/stop_requests.hpp"
+#include "io/run/launch.hpp"
+#include "io/run/stop_requests.hpp"
 #include "tests/unit/io/temporary_folder.hpp"
 #include <algorithm>
 #include <csignal>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/error.hpp"
-#include "io/study_orders.hpp"
+#include "io/study/study_orders.hpp"
 #include "temporary_folder.hpp"
 #include "tests/support/relative.hpp"
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/units.hpp"
+#include "io/scene/units.hpp"
 #include "tests/support/relative.hpp"
 #include <doctest/doctest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/vtkhdf.hpp"
+#include "io/files/vtkhdf.hpp"
 #include "tests/support/sample_state.hpp"
 
 #include <doctest/doctest.h>

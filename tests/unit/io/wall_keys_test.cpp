@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 // Walls of a scene beside those of its grid.
-#include "io/scene_writer.hpp"
-#include "io/world_walls.hpp"
+#include "io/run/world_walls.hpp"
+#include "io/scene/scene_writer.hpp"
 #include "tests/unit/io/scene_text.hpp"
 #include <doctest/doctest.h>
 #include <numbers>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // ctest: timeout=300
 // The books of momentum of a pipe with everything on: every line is measured by itself, and together they explain each step.
-#include "io/momentum_ledger.hpp"
-#include "io/world.hpp"
+#include "io/run/momentum_ledger.hpp"
+#include "io/run/world.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/scene_from_text.hpp"
 #include <cstdio>

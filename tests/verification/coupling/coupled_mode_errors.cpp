@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The study of configs/coupling_modes: all coupling modes converge in space, and to the same answer (NUMERICS C5.7).
 #include "core/comm/communicator.hpp"
-#include "io/study_report.hpp"
+#include "io/study/study_report.hpp"
 #include <doctest/doctest.h>
 #include <map>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // ctest: timeout=300
 // Going on with steps of some 1e-9 s after normal ones changes nothing and shakes no pressure, with grains (NUMERICS D33).
-#include "io/state_file.hpp"
+#include "io/run/state_file.hpp"
 #include "tests/support/coupled_run.hpp"
 #include "tests/support/shared_folder.hpp"
 #include <cstdio>

@@ -4,7 +4,7 @@
 // A prescribed flow of fluid and grains: the flux of the mixture is exact in every mode, and the books of momentum close with the
 // gradient that was found.
 #include "core/comm/reduce.hpp"
-#include "io/metric_groups.hpp"
+#include "io/run/metric_groups.hpp"
 #include "physics/fluid/section_flow.hpp"
 #include "tests/support/coupled_run.hpp"
 #include "tests/support/relative.hpp"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // ctest: timeout=300
 // Grains below a lid that moves to and fro: friction on walls is that of their speed at the start and at the end of each step.
-#include "io/momentum_ledger.hpp"
-#include "io/world.hpp"
+#include "io/run/momentum_ledger.hpp"
+#include "io/run/world.hpp"
 #include "tests/support/scene_from_text.hpp"
 #include <cstdio>
 #include <doctest/doctest.h>

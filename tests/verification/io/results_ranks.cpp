@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Result files hold the same numbers for any number of ranks.
 // ctest: ranks=2 timeout=120
-#include "io/vtkhdf.hpp"
+#include "io/files/vtkhdf.hpp"
 #include "tests/support/sample_state.hpp"
 #include "tests/support/shared_folder.hpp"
 

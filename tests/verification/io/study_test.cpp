@@ -4,8 +4,8 @@
 // A study measures what the scheme promises: second order in space and time, from a scene to its report.
 #include "core/base/error.hpp"
 #include "core/comm/communicator.hpp"
-#include "io/study_ensemble.hpp"
-#include "io/study_report.hpp"
+#include "io/study/study_ensemble.hpp"
+#include "io/study/study_report.hpp"
 #include "tests/unit/io/temporary_folder.hpp"
 #include <algorithm>
 #include <cmath>

@@ -3,9 +3,9 @@
 // Grains that rain in at the top and leave at the bottom: the same bits on any number of ranks and through a restart, all accounted for.
 // ctest: ranks=2 timeout=120
 #include "core/base/error.hpp"
-#include "io/gathered_particles.hpp"
-#include "io/state_file.hpp"
-#include "io/world_metrics.hpp"
+#include "io/run/gathered_particles.hpp"
+#include "io/run/state_file.hpp"
+#include "io/run/world_metrics.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/scene_from_text.hpp"
 #include "tests/support/shared_folder.hpp"

@@ -3,8 +3,8 @@
 // Walls that move, and what is reported of them: the same bits on one rank and two, with threads, and through a restart.
 // ctest: ranks=2 timeout=120
 #include "core/base/team.hpp"
-#include "io/state_file.hpp"
-#include "io/world_metrics.hpp"
+#include "io/run/state_file.hpp"
+#include "io/run/world_metrics.hpp"
 #include "tests/support/scene_from_text.hpp"
 #include "tests/support/shared_folder.hpp"
 

@@ -3,12 +3,12 @@
 // What a running world writes: momentum that closes, numbers and files that do not depend on the ranks.
 // ctest: ranks=2 timeout=300
 #include "core/base/team.hpp"
-#include "io/exact_sums.hpp"
-#include "io/gathered_particles.hpp"
-#include "io/interval_clock.hpp"
-#include "io/world_metrics.hpp"
-#include "io/world_pictures.hpp"
-#include "io/world_results.hpp"
+#include "io/files/exact_sums.hpp"
+#include "io/run/gathered_particles.hpp"
+#include "io/run/interval_clock.hpp"
+#include "io/run/world_metrics.hpp"
+#include "io/run/world_pictures.hpp"
+#include "io/run/world_results.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/scene_from_text.hpp"
 #include "tests/support/shared_folder.hpp"

@@ -1,0 +1,266 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#include "io/run/momentum_ledger.hpp"
+#include "io/build/physics_builder.hpp"
+#include "io/files/exact_sums.hpp"
+#include "physics/fluid/cell_loops.hpp"
+#include "physics/fluid/momentum_budget.hpp"
+#include <algorithm>
+#include <numbers>
+#include <numeric>
+
+namespace io {
+namespace {
+
+/// Places of the sums over cells, and over grains: each but the last is the first of three.
+enum CellSum : std::size_t {
+    of_fluid,
+    of_ledger = 3,
+    of_gradients = 6,
+    of_advection = 9,
+    of_share = 12,
+    of_given = 15,
+    of_push = 18,
+    of_friction = 21,
+    of_volume = 24,
+    cell_sums = 25
+};
+enum GrainSum : std::size_t {
+    of_grains,
+    of_owed = 3,
+    of_contact = 6,
+    of_taken = 9,
+    of_couple = 12,
+    of_mass = 15,
+    of_solid = 16,
+    grain_sums = 17
+};
+
+/// Three neighbouring numbers.
+core::Vec3 vector_at(std::span<const double> values, std::size_t first) { return {values[first], values[first + 1], values[first + 2]}; }
+
+void add_vector(std::span<double> sum, std::size_t first, const core::Vec3& x)
+{
+    for (std::size_t a = 0; a < 3; ++a) sum[first + a] += x[int(a)];
+}
+
+core::Vec3 columns_at(const core::ParticleSet& grains, int first, std::size_t i)
+{
+    const auto value = [&](int a) { return grains.columns[std::size_t(first + a)][i]; };
+    return {value(0), value(1), value(2)};
+}
+
+} // namespace
+
+std::span<const MomentumImpulses::Line> MomentumImpulses::outer_lines()
+{
+    using M = MomentumImpulses;
+    static constexpr std::array<Line, 8> lines{{{"drive", &M::drive},
+                                                {"weight", &M::weight},
+                                                {"wall_contact", &M::contact},
+                                                {"wall_pressure", &M::wall_pressure},
+                                                {"wall_friction", &M::wall_friction},
+                                                {"advection_defect", &M::advection},
+                                                {"gradient_defect", &M::gradient},
+                                                {"viscous_share", &M::viscous_share}}};
+    return lines;
+}
+
+core::Vec3 MomentumImpulses::outer() const
+{
+    core::Vec3 sum = core::Vec3::Zero();
+    for (const Line& line : outer_lines()) sum += this->*line.impulse;
+    return sum;
+}
+
+/// Integrals over all cells: totals always, the rest only after a step.
+struct MomentumLedger::CellSums {
+    std::array<double, cell_sums> values{};
+    [[nodiscard]] core::Vec3 operator[](CellSum first) const { return vector_at(values, first); }
+};
+
+struct MomentumLedger::GrainSums {
+    std::vector<double> values;
+    [[nodiscard]] core::Vec3 operator[](GrainSum first) const { return vector_at(values, first); }
+};
+
+MomentumLedger::MomentumLedger(World& world) : world_(world)
+{
+    const CellSums cells = sum_cells(false);
+    const GrainSums grains = sum_grains(core::Vec3::Zero());
+    totals_ = {cells[of_fluid], cells[of_ledger], grains[of_grains], grains[of_owed]};
+    remember_clock();
+}
+
+void MomentumLedger::remember_clock()
+{
+    time_ = world_.time();
+    drive_ = world_.clock().drive;
+    implicit_ = world_.clock().implicit_share();
+}
+
+/// What the cells did in the last step.
+void MomentumLedger::sum_step(core::LocalBlock b, std::span<double> sum) const
+{
+    const auto& own = std::as_const(*world_.fluid()).fields();
+    const auto& f = std::as_const(world_.coupling()->fields());
+    const double rho = world_.fluid()->parameters().density, dt = world_.clock().dt;
+    const auto volume = world_.mesh().geometry(b).volume.view();
+    const auto phi = f.fraction.on(b), old_phi = f.fraction_before.on(b), response = f.response.on(b);
+    const auto before = std::as_const(world_.fluid()->state()).velocity_before.on(b), after_all = f.advected.on(b),
+               source = own.source.on(b);
+    const auto velocity = std::as_const(world_.fluid()->state()).velocity.on(b);
+    const auto advected = own.advected.on(b), miss = f.miss.on(b), change = f.change.on(b);
+    const auto old_gradient = own.pressure_gradient.on(b), new_gradient = own.psi_gradient.on(b);
+    const auto grains = f.sums.on(b);
+    const auto solid = grains[physics::sum_solid];
+    for (int c = 0; c < 3; ++c) {
+        const auto n = std::size_t(c);
+        const auto at = [c](const auto& field) { return field.component(c); };
+        sum[of_gradients + n] += physics::sum_cells([dt](double v, double g, double dg) { return v * dt * (-g - dg); }, volume,
+                                                    at(old_gradient), at(new_gradient));
+        sum[of_advection + n] += physics::sum_cells(
+            [rho](double v, double p, double old_p, double ua, double q, double u) { return rho * v * (p * (ua - q) + (p - old_p) * u); },
+            volume, phi, old_phi, at(advected), at(source), at(before));
+        const double stress = !own.viscous.allocated()
+                                  ? 0.0
+                                  : physics::sum_cells([push = dt * rho](double v, double s, double a) { return v * s * push * a; }, volume,
+                                                       solid, at(own.viscous.on(b)));
+        sum[of_share + n] += stress - physics::sum_cells([rho](double v, double s, double uv, double u, double ua,
+                                                               double q) { return v * s * rho * (uv - u - (ua - q)); },
+                                                         volume, solid, at(after_all), at(before), at(advected), at(source));
+        // Steps 4 and 5 of response.hpp, read from the fluid's side, and pressure and stress on the grains.
+        sum[of_given + n] +=
+            stress +
+            physics::sum_cells([dt](double v, double s, double impulse, double added, double du0, double reaction, double du, double dg,
+                                    double g) { return v * (impulse + added * du0 + reaction * du - dt * s * (g + dg)); },
+                               volume, solid, grains[physics::sum_impulse + n], grains[physics::sum_added], at(miss),
+                               grains[physics::sum_predictor], at(change), at(new_gradient), at(old_gradient));
+        sum[of_given + n] += physics::sum_cells(
+            [dt](double v, double flux, double reaction, double r, double dg) { return v * (dt * flux - reaction * r) * dg; }, volume,
+            grains[physics::sum_projection + 1], grains[physics::sum_projection], response, at(new_gradient));
+        sum[of_given + n] += physics::sum_cells(
+            [](double v, double held, double u, double du, double r, double dg) { return v * held * (u - (du - r * dg)); }, volume,
+            grains[physics::sum_held], at(velocity), at(change), response, at(new_gradient));
+    }
+}
+
+/// What the walls did in the last step.
+void MomentumLedger::sum_walls(core::LocalBlock b, std::span<double> sum) const
+{
+    const physics::FluidStep& fluid = *world_.fluid();
+    const auto& geometry = world_.mesh().geometry(b);
+    const auto& walls = fluid.walls()[std::size_t(b)];
+    const double dt = world_.clock().dt, viscosity = fluid.parameters().density * fluid.parameters().viscosity;
+    add_vector(sum, of_push, dt * physics::wall_push(geometry, walls, fluid.state().pressure.on(b), 1));
+    if (!fluid.viscosity_system()) return;
+    const physics::FaceFactors factors = fluid.fields().viscosity_ratio.on(b);
+    const auto& old_walls = fluid.walls_before()[std::size_t(b)];
+    const core::Vec3 old_time = physics::wall_friction(geometry, old_walls, fluid.state().velocity_before.on(b), factors);
+    const core::Vec3 new_time = physics::wall_friction(geometry, walls, fluid.fields().predicted.on(b), factors);
+    add_vector(sum, of_friction, dt * viscosity * ((1 - implicit_) * old_time + implicit_ * new_time));
+}
+
+MomentumLedger::CellSums MomentumLedger::sum_cells(bool with_step) const
+{
+    const core::Mesh& mesh = world_.mesh();
+    const auto& f = std::as_const(world_.coupling()->fields());
+    const double rho = world_.fluid()->parameters().density;
+    std::vector<double> parts(cell_sums * std::size_t(mesh.blocks()), 0.0);
+    for (core::LocalBlock b = 0; b < mesh.own_count(); ++b) {
+        const std::span sum(parts.data() + cell_sums * std::size_t(mesh.global(b)), std::size_t(cell_sums));
+        const auto volume = mesh.geometry(b).volume.view();
+        const auto phi = f.fraction.on(b);
+        const auto u = std::as_const(world_.fluid()->state()).velocity.on(b), ledger = f.ledger.on(b);
+        core::for_each_cell(mesh.geometry(b).cells, [&](int i, int j, int k) {
+            const double v = volume(i, j, k), mass = rho * v * phi(i, j, k);
+            sum[of_volume] += v * phi(i, j, k);
+            for (int c = 0; c < 3; ++c) {
+                sum[of_fluid + std::size_t(c)] += mass * u.component(c)(i, j, k);
+                sum[of_ledger + std::size_t(c)] += v * ledger.component(c)(i, j, k);
+            }
+        });
+        if (!with_step) continue;
+        sum_step(b, sum);
+        sum_walls(b, sum);
+    }
+    world_.ranks().sum(parts);
+    CellSums total;
+    for (std::size_t n = 0; n < parts.size(); ++n) total.values[n % cell_sums] += parts[n];
+    return total;
+}
+
+MomentumLedger::GrainSums MomentumLedger::sum_grains(const core::Vec3& drive) const
+{
+    const core::ParticleSet& grains = world_.grains()->particles;
+    const physics::GrainExchange& exchange = world_.coupling()->exchange();
+    const auto& at = exchange.columns();
+    const double rho = world_.fluid()->parameters().density, dt = world_.clock().dt;
+    const core::Vec3 gravity = gravity_of(world_.scene());
+    std::vector<std::vector<double>> columns(grain_sums);
+    const auto put = [&](GrainSum first, const core::Vec3& x) {
+        for (std::size_t a = 0; a < 3; ++a) columns[first + a].push_back(x[int(a)]);
+    };
+    for (std::size_t i = 0; i < std::size_t(grains.owned); ++i) {
+        const double mass = grains.mass[i], radius = grains.radius[i];
+        const double volume = 4.0 / 3.0 * std::numbers::pi * radius * radius * radius;
+        const core::Vec3 velocity = grains.velocity_of(int(i)), contact = columns_at(grains, exchange.wet_columns().impulse, i);
+        // All that is not contact, weight or drive is the fluid's.
+        const core::Vec3 outer = contact + dt * ((mass - rho * volume) * gravity + rho * volume * drive);
+        const core::Vec3 owed = columns_at(grains, at.owed, i);
+        put(of_grains, mass * velocity);
+        put(of_owed, owed);
+        put(of_contact, contact);
+        put(of_taken, mass * (velocity - columns_at(grains, at.velocity_before, i)) - outer + owed);
+        put(of_couple, exchange.couple(grains, int(i)));
+        columns[of_mass].push_back(mass - rho * volume);
+        columns[of_solid].push_back(volume);
+    }
+    return {exact_sums(world_.ranks(), columns)};
+}
+
+void MomentumLedger::update()
+{
+    const auto& parameters = world_.fluid()->parameters();
+    const double dt = world_.clock().dt;
+    // Of a prescribed flow the step itself says what the drive was.
+    const physics::DriveState& state = std::holds_alternative<physics::FlowDrive>(parameters.drive) ? world_.clock().drive : drive_;
+    const core::Vec3 drive = physics::mean_acceleration(parameters.drive, state, time_, dt);
+    const core::Vec3 told = physics::expected_acceleration(parameters.drive, state, time_, dt);
+    const CellSums cells = sum_cells(true);
+    const GrainSums grains = sum_grains(told);
+    const MomentumTotals before = totals_;
+    totals_ = {cells[of_fluid], cells[of_ledger], grains[of_grains], grains[of_owed]};
+    change_ = totals_.sum() - before.sum();
+    impulses_.drive = parameters.density * dt * (cells.values[of_volume] + grains.values[of_solid]) * drive;
+    impulses_.weight = dt * grains.values[of_mass] * gravity_of(world_.scene());
+    impulses_.contact = grains[of_contact];
+    impulses_.wall_pressure = cells[of_push];
+    impulses_.wall_friction = cells[of_friction];
+    impulses_.advection = cells[of_advection];
+    // What the drive gave beyond what grains were told stands among the gradients of the cells.
+    impulses_.gradient = cells[of_gradients] - cells[of_push] - parameters.density * dt * world_.mesh().total_volume() * (drive - told);
+    impulses_.viscous_share = cells[of_share];
+    impulses_.given = cells[of_given];
+    impulses_.taken = grains[of_taken] - before.owed;
+    impulses_.couple = grains[of_couple];
+    remember_clock();
+}
+
+double MomentumLedger::defect(const core::Vec3& explained) const
+{
+    double largest = std::max(impulses_.given.norm(), totals_.sum().norm());
+    for (const auto& line : MomentumImpulses::outer_lines()) largest = std::max(largest, (impulses_.*line.impulse).norm());
+    return largest > 0 ? (change_ - explained).norm() / largest : 0.0;
+}
+
+double MomentumLedger::exchange_defect() const
+{
+    // What grains took is what contact and weight leave: where these balance, of a bed at rest, it is known to their round-off alone.
+    double largest = 0;
+    for (const auto line : {&MomentumImpulses::given, &MomentumImpulses::taken, &MomentumImpulses::contact, &MomentumImpulses::weight})
+        largest = std::max(largest, (impulses_.*line).norm());
+    return largest > 0 ? (impulses_.given - impulses_.taken).norm() / largest : 0.0;
+}
+
+} // namespace io

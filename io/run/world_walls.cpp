@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#include "io/run/world_walls.hpp"
+#include "core/base/error.hpp"
+#include "core/grid/surface.hpp"
+#include "io/build/grid_builder.hpp"
+#include "io/build/wall_shapes.hpp"
+#include "physics/particles/triangle_mesh.hpp"
+#include <numbers>
+
+namespace io {
+namespace {
+
+physics::CylinderSide side_of(CylinderSide side)
+{
+    return side == CylinderSide::inside ? physics::CylinderSide::inside : physics::CylinderSide::outside;
+}
+
+} // namespace
+
+physics::WallMotion motion_of(const WallKeys& keys, const core::Vec3& origin)
+{
+    physics::WallMotion motion;
+    motion.axis_point = point_of(keys) - origin;
+    if (!keys.motion) return motion;
+    const MotionKeys& given = *keys.motion;
+    motion.velocity = given.velocity.value_or(core::Vec3::Zero());
+    if (const auto& turn = given.rotation) {
+        motion.axis_point = turn->point - origin;
+        motion.angular_velocity = turn->rate * turn->axis;
+    }
+    if (const auto& sway = given.oscillation) {
+        motion.amplitude = sway->amplitude;
+        motion.angular_frequency = 2 * std::numbers::pi * sway->frequency;
+        motion.phase = sway->phase;
+    }
+    motion.start = given.start;
+    if (given.stop) motion.stop = *given.stop;
+    return motion;
+}
+
+std::vector<physics::Wall> own_walls(const std::vector<WallKeys>& walls, const core::Vec3& origin)
+{
+    std::vector<physics::Wall> made;
+    for (std::size_t n = 0; n < walls.size(); ++n) {
+        const WallKeys& wall = walls[n];
+        const physics::WallMotion motion = motion_of(wall, origin);
+        if (const auto& p = wall.plane) made.push_back(physics::PlaneWall{p->point - origin, p->normal, motion, int(n)});
+        if (const auto& c = wall.cylinder)
+            made.push_back(physics::CylinderWall{c->point - origin, c->axis, c->radius, side_of(c->particles), motion, int(n)});
+    }
+    return made;
+}
+
+std::vector<physics::Wall> primitive_walls(const Scene& scene, const core::Domain& domain)
+{
+    std::vector<physics::Wall> walls;
+    if (scene.contact->walls == WallShape::primitive) walls = primitive_walls(scene.grid);
+    const auto own = own_walls(scene.walls, domain.origin);
+    walls.insert(walls.end(), own.begin(), own.end());
+    return walls;
+}
+
+void add_own_surfaces(const std::vector<WallKeys>& walls, physics::ParticleDynamics& dynamics)
+{
+    const core::Vec3 origin = dynamics.domain().origin;
+    for (std::size_t n = 0; n < walls.size(); ++n) {
+        auto triangles = triangles_of(walls[n]);
+        if (triangles.empty()) continue;
+        for (auto& corners : triangles)
+            for (core::Vec3& x : corners) x -= origin;
+        const auto mesh = physics::joined_triangles(triangles);
+        dynamics.add_surface({mesh, smooth_angle_of(walls[n])}, motion_of(walls[n], origin), int(n));
+    }
+    dynamics.report_walls(int(walls.size()));
+}
+
+std::vector<physics::Wall> walls_at_start(const Scene& scene, const core::Domain& domain)
+{
+    std::vector<physics::Wall> walls = primitive_walls(scene, domain);
+    if (scene.contact->walls == WallShape::faces) {
+        const auto grid = primitive_walls(scene.grid);
+        walls.insert(walls.end(), grid.begin(), grid.end());
+    }
+    return walls;
+}
+
+physics::WallSurface grid_surface(double largest, const core::Mesh& mesh, const core::Domain& domain)
+{
+    constexpr double smooth_angle = 0.6; // [rad]; a pipe of 12 faces or more is round, the edges of a box are sharp
+    core::Surface surface = core::boundary_surface(mesh, wall_names(mesh), 2 * largest);
+    for (core::Vec3& x : surface.vertices) x -= domain.origin;
+    return {surface.vertices, surface.quads, smooth_angle};
+}
+
+void require_clear_of_walls(const std::vector<WallKeys>& walls, const std::vector<core::Sphere>& grains,
+                            const physics::ParticleDynamics& dynamics)
+{
+    for (const core::Sphere& grain : grains) {
+        const int wall = dynamics.surface_at(grain.position, grain.radius);
+        core::require<core::ConfigError>(wall < 0, wall < 0 ? ""
+                                                            : core::text("particle ", grain.id, " sticks in the wall '",
+                                                                         walls[std::size_t(wall)].name, "' at the start, at (",
+                                                                         (grain.position + dynamics.domain().origin).transpose(),
+                                                                         ") m: give the particles a region that is clear of it"));
+    }
+}
+
+void require_slow_walls(const std::vector<WallKeys>& walls, double smallest, const core::Domain& domain, double step)
+{
+    constexpr double largest_share = 0.1;
+    for (const WallKeys& wall : walls) {
+        const double way = step * motion_of(wall, domain.origin).largest_speed(domain.size.norm());
+        core::require<core::ConfigError>(way <= largest_share * smallest,
+                                         core::text("wall '", wall.name, "' goes up to ", way, " m in a sub-step of ", step,
+                                                    " s, more than ", largest_share,
+                                                    " of the smallest diameter: make it slower or the contacts stiffer"));
+    }
+}
+
+} // namespace io

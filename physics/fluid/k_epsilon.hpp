@@ -18,6 +18,7 @@ struct Turbulence {
 struct KEpsilonConstants {
     double c_mu = 0.09, c_1 = 1.44, c_2 = 1.92, sigma_k = 1.0, sigma_epsilon = 1.3;
     double kappa = 0.4187, wall = 9.793;
+    double rough_wall = 8.5; ///< u+ = ln(y / k_s) / kappa + this beyond k_s+ = 70; Nikuradse, VDI-Forschungsheft 361 (1933)
 };
 inline constexpr KEpsilonConstants k_epsilon{};
 
@@ -71,7 +72,7 @@ struct Decay {
 }
 
 /// The layer at a wall, seen from a cell beside it. Speeds follow from k, so that nothing vanishes where the flow reverses.
-/// @source  Launder & Spalding (1974), section 4.4; roughness: NUMERICS A4.
+/// @source  Launder & Spalding (1974), section 4.4; roughness: in the form of NUMERICS A4, its factor from Nikuradse's law.
 struct WallLayer {
     double friction_speed; ///< C_mu^(1/4) k^(1/2) [m/s]
     double distance;       ///< y* [-]
@@ -82,7 +83,8 @@ struct WallLayer {
 [[nodiscard]] inline WallLayer wall_layer(double k, double y, double viscosity, double roughness)
 {
     const double speed = std::pow(k_epsilon.c_mu, 0.25) * std::sqrt(k), distance = speed * y / viscosity;
-    const double smoothness = k_epsilon.wall / (1 + 0.3 * speed * roughness / viscosity);
+    const double grains = k_epsilon.wall * std::exp(-k_epsilon.kappa * k_epsilon.rough_wall); // 0.28
+    const double smoothness = k_epsilon.wall / (1 + grains * speed * roughness / viscosity);
     // Below y* = 11.2 the viscous law u+ = y* is the lower one, and holds; on rough walls u+ does not fall below 1.
     const double speed_ratio = std::max(1.0, std::log(std::max(smoothness * distance, 1.0)) / k_epsilon.kappa);
     // Kader, Int. J. Heat Mass Transfer 24 (1981) 1541, eq. (33).

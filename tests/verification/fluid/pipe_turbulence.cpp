@@ -45,9 +45,10 @@ double mean_velocity(const test::FluidRun& run)
 
 } // namespace
 
-TEST_CASE("friction of a smooth pipe at Re = 41,727 agrees with the Superpipe to 3 %")
+TEST_CASE("friction of a smooth pipe at Re = 41,727 agrees with the Superpipe to 3 %, wherever from y+ = 30 to 150 the first cells lie")
 {
-    for (const int across : {16, 24, 32}) {
+    double least_friction = 1, most_friction = 0;
+    for (const int across : {8, 12, 16, 24, 32}) {
         const auto run = developed(across, 0.04);
         const double speed = mean_velocity(*run), friction = 8 * std::pow(friction_speed / speed, 2);
         const double reach =
@@ -57,7 +58,11 @@ TEST_CASE("friction of a smooth pipe at Re = 41,727 agrees with the Superpipe to
                 friction, " of 0.021858, ", 100 * (friction / 0.021858 - 1), " %, fastest ",
                 run->largest([&](core::LocalBlock b, int i, int j, int k) { return run->velocity(b, i, j, k).x(); }));
         CHECK(std::abs(friction / 0.021858 - 1) < 0.03);
+        least_friction = std::min(least_friction, friction);
+        most_friction = std::max(most_friction, friction);
     }
+    // The wall's kappa is 0.4187 and that of the model 0.4327: layers of other thickness join at other speeds.
+    CHECK(most_friction / least_friction < 1.015);
 }
 
 TEST_CASE("at the flow of the Superpipe the gradient that is found is the measured one to 3 %, and friction balances it")
@@ -75,7 +80,7 @@ TEST_CASE("at the flow of the Superpipe the gradient that is found is the measur
     CHECK(std::abs(budget.viscosity.x() / budget.drive.x() + 1) < 1e-3);
 }
 
-TEST_CASE("the profile is the measured one to a twentieth, and k that of the logarithmic layer")
+TEST_CASE("the profile is the measured one to 4 %, and k that of the logarithmic layer")
 {
     const auto run = developed(32, 0.04);
     // y+ and u+ of the Superpipe.
@@ -108,8 +113,8 @@ TEST_CASE("the profile is the measured one to a twentieth, and k that of the log
         return y > 60 && y < 200 ? run->turbulence().k().on(b)(i, j, k) / (friction_speed * friction_speed * share / 0.3) - 1 : 0.0;
     });
     MESSAGE("u+ differs by ", worst, " at most, k by ", uneven, " of that of the layer");
-    CHECK(worst < 0.05);
-    CHECK(uneven < 0.1);
+    CHECK(worst < 0.04);  // the wake of the Superpipe, which the standard model lacks
+    CHECK(uneven < 0.06); // of what diffuses to the axis
 }
 
 TEST_CASE("what a steady turbulent flow is does not depend on the time step, and its momentum is all in the books")

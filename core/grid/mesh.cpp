@@ -19,9 +19,7 @@ Mesh::Mesh(MultiBlock grid, int rank, int ranks) : grid_(std::move(grid))
         local_[std::size_t(b)] = own_count();
         own_.push_back(b);
         own_cells_.push_back(cells(b));
-        const SubFaceValues values = sub_face_values(topology_, b);
-        own_cells_.back().sub_face_values = values.count();
-        own_cells_.back().sub_faces = int(values.faces.size());
+        own_cells_.back().sub_face_values = sub_face_values(topology_, b).count();
         geometry_.push_back(make_geometry(grid_, topology_, b));
     }
 }

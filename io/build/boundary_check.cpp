@@ -107,6 +107,9 @@ void check_turbulence(const Scene& scene, const Locations& locations, Problems& 
     if (!keys.speed && !inflow)
         problems.add(locations.at("fluid.turbulence"), "turbulence needs 'speed' where nothing flows in",
                      "add the speed of the flow, such as speed: 1 m/s");
+    if (keys.roughness > 0 && keys.model == TurbulenceModel::abe_kondoh_nagano)
+        problems.add(locations.at("fluid.turbulence.roughness"), "walls that are resolved are smooth",
+                     "remove it, or let the model be k-epsilon");
     if (scene.fluid->material.viscosity == 0)
         problems.add(locations.at("fluid.turbulence"), "turbulence needs a fluid with viscosity", "give the viscosity, or remove it");
 }

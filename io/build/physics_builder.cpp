@@ -91,6 +91,7 @@ physics::TurbulenceParameters turbulence_parameters(const Scene& scene)
     const double length = keys.length.value_or(0.07 * std::min(width, size.maxCoeff()));
     physics::TurbulenceParameters p;
     p.roughness = keys.roughness;
+    if (keys.model == TurbulenceModel::abe_kondoh_nagano) p.walls = physics::WallTreatment::resolved;
     for (const Boundary& boundary : scene.fluid->boundaries)
         if (boundary.kind == BoundaryKind::inflow) {
             const double speed = inflow_speed(boundary);

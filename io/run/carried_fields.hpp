@@ -21,6 +21,8 @@ void for_each_carried_field(World& world, Visit visit)
     if (auto* turbulence = world.turbulence()) {
         visit(turbulence->k());
         visit(turbulence->epsilon());
+        visit(turbulence->strain());
+        visit(turbulence->forcing());
     }
     if (auto* scalars = world.scalars()) {
         for (auto& field : scalars->fields().values) visit(field);

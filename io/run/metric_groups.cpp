@@ -130,15 +130,13 @@ MetricGroup turbulence_metrics(World& world)
 {
     return {{"turbulence_energy", "largest_eddy_viscosity"}, [&world] {
                 const auto& k = std::as_const(*world.turbulence()).k();
-                const auto& epsilon = std::as_const(*world.turbulence()).epsilon();
                 const auto& fluid = world.fluid()->parameters();
                 const double energy =
                     fluid_integral(world, [&](LocalBlock b, int i, int j, int m) { return fluid.density * k.on(b)(i, j, m); });
                 const double largest = core::max_over_blocks(world.mesh(), world.ranks(), [&](LocalBlock b) {
+                    const auto eddy = world.turbulence()->eddy_viscosity(b);
                     double most = 0;
-                    core::for_each_cell(k.on(b).extents(), [&](int i, int j, int m) {
-                        most = std::max(most, physics::eddy_viscosity(k.on(b)(i, j, m), epsilon.on(b)(i, j, m), fluid.viscosity));
-                    });
+                    core::for_each_cell(eddy.extents(), [&](int i, int j, int m) { most = std::max(most, eddy(i, j, m)); });
                     return most;
                 });
                 return std::vector<double>{energy, largest / fluid.viscosity};

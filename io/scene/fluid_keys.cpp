@@ -63,8 +63,11 @@ void describe(Schema& s, Scalar& p)
 
 void describe(Schema& s, TurbulenceKeys& p)
 {
-    s.required("model", "none: the grid resolves all of the flow; k-epsilon: the standard model, with wall functions",
-               choice_of(p.model, turbulence_model_words));
+    s.required(
+        "model",
+        "none: the grid resolves all of the flow; k-epsilon: the standard model, with functions for the layers at walls, first cells "
+        "from y+ = 30 to 150; abe-kondoh-nagano: k-epsilon down to the wall, first cells at y+ = 1, growing by a tenth at most",
+        choice_of(p.model, turbulence_model_words));
     s.value("intensity", p.intensity, "1", "Fluctuations over the speed, at the start and where fluid flows in", positive);
     s.value("speed", p.speed, "m/s", "Speed that the intensity at the start refers to; without it, that of what flows in", positive);
     s.value("length", p.length, "m", "Mixing length at the start and where fluid flows in; without it, 7 % of the narrowest width",

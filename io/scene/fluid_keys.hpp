@@ -79,8 +79,8 @@ struct Scalar {
     bool operator==(const Scalar&) const = default;
 };
 
-enum class TurbulenceModel { none, k_epsilon };
-inline constexpr std::array<std::string_view, 2> turbulence_model_words{"none", "k-epsilon"};
+enum class TurbulenceModel { none, k_epsilon, abe_kondoh_nagano };
+inline constexpr std::array<std::string_view, 3> turbulence_model_words{"none", "k-epsilon", "abe-kondoh-nagano"};
 
 /// Turbulence that is not resolved.
 struct TurbulenceKeys {
@@ -88,7 +88,7 @@ struct TurbulenceKeys {
     double intensity = 0.05;      ///< Root mean square of the fluctuations over the speed, at the start and where fluid flows in.
     std::optional<double> speed;  ///< Of the flow at the start [m/s]; without it, that of what flows in.
     std::optional<double> length; ///< Mixing length there [m]; without it, 7 % of the width between boundaries.
-    double roughness = 0.0;       ///< of walls, as height of sand grains [m]
+    double roughness = 0.0;       ///< Of walls seen through functions, as height of sand grains [m].
     bool operator==(const TurbulenceKeys&) const = default;
 };
 

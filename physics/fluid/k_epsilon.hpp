@@ -22,11 +22,15 @@ struct KEpsilonConstants {
 };
 inline constexpr KEpsilonConstants k_epsilon{};
 
+/// How walls are seen: through functions that stand for their layers, or as they are, by a grid that resolves the layers.
+enum class WallTreatment { functions, resolved };
+
 /// What a scene says about turbulence.
 struct TurbulenceParameters {
     Turbulence initial;
     std::map<std::string, Turbulence> entering; ///< by boundary; elsewhere what enters is that of the cells inside
-    double roughness = 0;                       ///< of walls, as height of sand grains [m]
+    double roughness = 0;                       ///< of walls, as height of sand grains; of no effect on walls that are resolved [m]
+    WallTreatment walls = WallTreatment::functions;
 };
 
 /// Turbulence of a given intensity in a flow of a given speed, its eddies of a given size.
@@ -41,11 +45,15 @@ struct TurbulenceParameters {
 /// viscosity of any fluid.
 inline constexpr Turbulence least_turbulence{1e-20, 1e-28};
 
-/// nu_t = C_mu k^2 / epsilon, at most 1e5 times the viscosity of the fluid [m2/s].
-[[nodiscard]] inline double eddy_viscosity(double k, double epsilon, double viscosity)
+/// nu_t = C_mu k^2 / epsilon, at most 1e5 times the viscosity of the fluid, and never so much that one of the normal stresses
+/// 2 k / 3 - 2 nu_t S would be negative, in whatever direction [m2/s]. Zero where k is the least: a flow without turbulence makes none.
+/// @param strain  2 S_ij S_ij [1/s2].
+/// @source  The bound by strain: Durbin, Int. J. Heat Fluid Flow 17 (1996) 89, for three dimensions.
+[[nodiscard]] inline double eddy_viscosity(double c_mu, const Turbulence& at, double viscosity, double strain)
 {
     constexpr double most = 1e5;
-    return std::min(k_epsilon.c_mu * k * k / epsilon, most * viscosity);
+    if (at.k <= least_turbulence.k) return 0.0;
+    return std::min({c_mu * at.k * at.k / at.epsilon, at.k / std::sqrt(3 * strain), most * viscosity});
 }
 
 /// Production of k [m2/s3]: nu_t |2 S|^2 / 2, held back where strain is so fast that the model would make turbulence without bounds.
@@ -57,18 +65,18 @@ inline constexpr Turbulence least_turbulence{1e-20, 1e-28};
     return std::min(eddy_viscosity * strain, most * epsilon);
 }
 
-/// How turbulence without production decays in a time, exactly: dk/dt = -epsilon, d epsilon/dt = -C_2 epsilon^2 / k.
-struct Decay {
-    Turbulence left; ///< share of each that is left
-    Turbulence pace; ///< mean rate of loss over the rate at the start: 1 for short times
-};
-/// @param turnovers  time epsilon / k.
-[[nodiscard]] inline Decay decay(double turnovers)
+/// Integral over a time of what follows dx/dt = gain - loss x^2 from a start, exactly: it decays, or comes to (gain / loss)^(1/2).
+/// @param gain, loss  Not negative.
+[[nodiscard]] inline double integral_of_decay(double start, double gain, double loss, double time)
 {
-    const double power = std::log1p((k_epsilon.c_2 - 1) * turnovers) / (k_epsilon.c_2 - 1);
-    const double lost_k = -std::expm1(-power), lost_epsilon = -std::expm1(-k_epsilon.c_2 * power);
-    if (turnovers <= 0) return {{1, 1}, {1, 1}};
-    return {{std::exp(-power), std::exp(-k_epsilon.c_2 * power)}, {lost_k / turnovers, lost_epsilon / (k_epsilon.c_2 * turnovers)}};
+    const double turns = std::sqrt(gain * loss) * time;
+    if (turns > 1) {
+        const double left = std::expm1(-2 * turns);
+        return (turns + std::log1p(0.5 * left - start * loss * time * left / (2 * turns))) / loss;
+    }
+    const double whole = turns > 0 ? std::sinh(turns) / turns : 1.0, half = turns > 0 ? std::sinh(turns / 2) / (turns / 2) : 1.0;
+    const double straight = time * (start * whole + 0.5 * gain * time * half * half);
+    return loss * straight > 0 ? std::log1p(loss * straight) / loss : straight;
 }
 
 /// The layer at a wall, seen from a cell beside it. Speeds follow from k, so that nothing vanishes where the flow reverses.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "physics/steps/turbulence_step.hpp"
 #include "core/base/error.hpp"
+#include "core/grid/face_distance.hpp"
 #include "physics/fluid/cell_loops.hpp"
 
 #include <algorithm>
@@ -22,6 +23,20 @@ void fill(core::ScalarField& field, int blocks, double value)
     for (LocalBlock b = 0; b < blocks; ++b) std::fill(field.data(b, 0).begin(), field.data(b, 0).end(), value);
 }
 
+/// Of the cells of all blocks of this rank from walls that hold the fluid [m].
+std::vector<core::Array3<double>> wall_distances(const core::Mesh& mesh, const BoundaryConditions& conditions)
+{
+    std::vector<std::string> names;
+    for (const core::Boundary& boundary : mesh.topology().boundaries) {
+        const auto said = conditions.find(boundary.name);
+        if (said == conditions.end() || said->second.kind == BoundaryKind::wall) names.push_back(boundary.name);
+    }
+    const core::FaceDistance faces(mesh, names);
+    std::vector<core::Array3<double>> distances;
+    for (LocalBlock b = 0; b < mesh.own_count(); ++b) distances.push_back(faces.of_cells(mesh.geometry(b)));
+    return distances;
+}
+
 std::vector<EntryValues> entering(const core::Mesh& mesh, const TurbulenceParameters& parameters, double Turbulence::*part)
 {
     std::map<std::string, double> values;
@@ -39,8 +54,9 @@ TurbulenceStep::TurbulenceStep(const core::Mesh& mesh, FluidStep& fluid, const T
       entering_epsilon_(entering(mesh, parameters, &Turbulence::epsilon)),
       k_({"k", "m2/s2", 1, true}, mesh.own_cells()),
       epsilon_({"epsilon", "m2/s3", 1, true}, mesh.own_cells()),
+      strain_({"strain of turbulence", "1/s2", 0, true}, mesh.own_cells()),
+      forcing_({"forcing of turbulence", "1/s2", 0, true}, mesh.own_cells()),
       eddy_(scratch("eddy viscosity", "m2/s", 1), mesh.own_cells()),
-      produced_(scratch("production of turbulence", "m2/s3"), mesh.own_cells()),
       share_(scratch("share of the carrier of turbulence", "1", 1), mesh.own_cells()),
       k_capacity_(scratch("capacity for k", "1"), mesh.own_cells()),
       k_source_(scratch("source of k", "m2/s2"), mesh.own_cells()),
@@ -63,8 +79,11 @@ TurbulenceStep::TurbulenceStep(const core::Mesh& mesh, FluidStep& fluid, const T
             std::any_of(boundaries.begin(), boundaries.end(), [&](const auto& b) { return b.name == entry.first; }),
             core::text("turbulence: no boundary is called '", entry.first, "'"));
     for (LocalBlock b = 0; b < mesh.own_count(); ++b) wall_cells_.push_back(wall_cells(mesh.geometry(b), sides(b)));
+    if (parameters.walls == WallTreatment::resolved) wall_distance_ = wall_distances(mesh, fluid.parameters().boundaries);
     fill(k_, mesh.own_count(), std::max(parameters.initial.k, least_turbulence.k));
     fill(epsilon_, mesh.own_count(), std::max(parameters.initial.epsilon, least_turbulence.epsilon));
+    fill(strain_, mesh.own_count(), 0.0);
+    fill(forcing_, mesh.own_count(), 0.0);
     for (core::ScalarField* field : {&k_capacity_, &k_source_, &epsilon_capacity_, &epsilon_source_, &free_}) field->allocate();
     diffusivity_.allocate();
     if (coupling) {
@@ -75,23 +94,39 @@ TurbulenceStep::TurbulenceStep(const core::Mesh& mesh, FluidStep& fluid, const T
     fluid.fields().viscosity_ratio.begin();
 }
 
-WallsOfTurbulence TurbulenceStep::walls(LocalBlock b) const
+std::variant<ModelledWalls, ResolvedWalls> TurbulenceStep::walls(LocalBlock b) const
 {
-    return {fluid_.parameters().viscosity, parameters_.roughness, wall_cells_[std::size_t(b)]};
+    const double viscosity = fluid_.parameters().viscosity;
+    const auto& cells = wall_cells_[std::size_t(b)];
+    if (wall_distance_.empty()) return ModelledWalls{viscosity, parameters_.roughness, cells};
+    return ResolvedWalls{viscosity, cells, wall_distance_[std::size_t(b)].view()};
+}
+
+core::Array3<double> TurbulenceStep::eddy_viscosity(LocalBlock b) const
+{
+    core::Array3<double> eddy(mesh_.geometry(b).cells);
+    std::visit([&](const auto& w) { find_eddy_viscosity(w, k_.on(b), epsilon_.on(b), strain_.on(b), eddy.view()); }, walls(b));
+    return eddy;
+}
+
+void TurbulenceStep::set_viscosity_on_faces(LocalBlock b, View<const double> eddy, View<const double> k, FaceView<double> ratio) const
+{
+    viscosity_on_faces(mesh_.geometry(b), sides(b), fluid_.parameters().viscosity, eddy, ratio);
+    std::visit([&](const auto& w) { set_wall_viscosity(w, k, ratio); }, walls(b));
 }
 
 void TurbulenceStep::declare_viscosity(tasks::StageGraph& graph)
 {
     graph.each_block(
         "eddy viscosity",
-        [this](LocalBlock, View<const double> k, View<const double> epsilon, View<double> out) {
-            eddy_viscosity(fluid_.parameters().viscosity, k, epsilon, out);
+        [this](LocalBlock b, View<const double> k, View<const double> epsilon, View<const double> strain, View<double> out) {
+            std::visit([&](const auto& w) { find_eddy_viscosity(w, k, epsilon, strain, out); }, walls(b));
         },
-        reads(k_, epsilon_), writes(eddy_));
+        reads(k_, epsilon_, strain_), writes(eddy_));
     graph.each_block(
         "viscosity on faces",
         [this](LocalBlock b, View<const double> eddy, View<const double> k, FaceView<double> ratio) {
-            viscosity_on_faces(mesh_.geometry(b), sides(b), walls(b), eddy, k, ratio);
+            set_viscosity_on_faces(b, eddy, k, ratio);
         },
         reads(beside(eddy_), k_), writes(fluid_.fields().viscosity_ratio));
 }
@@ -109,27 +144,28 @@ void TurbulenceStep::declare(tasks::StageGraph& graph)
     auto& f = fluid_.fields();
     flux_.declare_new_half(graph, FluidFlux::Grains::as_before);
     graph.each_block(
-        "strain", [](LocalBlock, Vectors x, Vectors y, Vectors z, View<double> out) { strain(x, y, z, out); },
-        reads(f.gradient_x, f.gradient_y, f.gradient_z), writes(produced_));
+        "strain", [](LocalBlock, Vectors x, Vectors y, Vectors z, View<double> out) { physics::strain(x, y, z, out); },
+        reads(f.gradient_x, f.gradient_y, f.gradient_z), writes(strain_));
     graph.whole(
         "carry turbulence",
         [this](tasks::Lane& lane, const core::FaceField& flux, const core::VectorField& velocity, const ViscosityRatio&,
-               const FluidClock& clock, core::ScalarField&, core::ScalarField&, core::ScalarField&,
+               const FluidClock& clock, core::ScalarField&, core::ScalarField&, core::ScalarField&, core::ScalarField&,
                core::ScalarField&) { return advance(lane, flux, clock.dt, velocity); },
-        reads(flux_.mean(), fluid_.state().velocity, f.viscosity_ratio, clock_), updates(k_, epsilon_, produced_, share_));
-    graph.sink(k_);
-    graph.sink(epsilon_);
+        reads(flux_.mean(), fluid_.state().velocity, f.viscosity_ratio, clock_), updates(k_, epsilon_, strain_, forcing_, share_));
+    for (core::ScalarField* field : {&k_, &epsilon_, &strain_, &forcing_}) graph.sink(*field);
     if (flux_.coupling()) declare_viscosity(graph);
 }
 
 tasks::Job TurbulenceStep::find_viscosity(tasks::Lane& lane)
 {
     eddy_.allocate();
-    for_blocks(lane, [&](LocalBlock b) { eddy_viscosity(fluid_.parameters().viscosity, k_.on(b), epsilon_.on(b), eddy_.on(b)); });
+    for_blocks(lane, [&](LocalBlock b) {
+        std::visit([&](const auto& w) { find_eddy_viscosity(w, k_.on(b), epsilon_.on(b), strain_.on(b), eddy_.on(b)); }, walls(b));
+    });
     co_await halos_.fill(lane, &eddy_, core::beside);
     for_blocks(lane, [&](LocalBlock b) {
         mirror_even(sides(b), 1, eddy_.on(b));
-        viscosity_on_faces(mesh_.geometry(b), sides(b), walls(b), eddy_.on(b), k_.on(b), fluid_.fields().viscosity_ratio.on(b));
+        set_viscosity_on_faces(b, eddy_.on(b), k_.on(b), fluid_.fields().viscosity_ratio.on(b));
     });
 }
 
@@ -138,7 +174,7 @@ tasks::Job TurbulenceStep::find_face_shares(tasks::Lane& lane)
     co_await halos_.fill(lane, &share_, core::beside);
     for_blocks(lane, [&](LocalBlock b) {
         mirror_even(sides(b), 1, share_.on(b));
-        mean_on_faces(mesh_.geometry(b), share_.on(b), face_share_.on(b));
+        mean_on_faces(share_.on(b), face_share_.on(b));
     });
 }
 
@@ -148,29 +184,47 @@ tasks::Job TurbulenceStep::advance(tasks::Lane& lane, const core::FaceField& flu
     if (flux_.coupling()) co_await find_face_shares(lane);
     co_await carrier_.carry(lane, {flux, share_, dt}, carried);
     for_blocks(lane, [&](LocalBlock b) {
-        form_sources(sides(b), walls(b), velocity.on(b), dt, {k_.on(b), epsilon_.on(b), produced_.on(b), share_.on(b)},
-                     {k_capacity_.on(b), k_source_.on(b), epsilon_capacity_.on(b), epsilon_source_.on(b), free_.on(b)});
+        std::visit([&](const auto& w) { form_sources(sides(b), w, velocity.on(b), dt, cells(b), equations(b)); }, walls(b));
     });
-    const auto set_diffusivity = [&](double sigma) {
-        for_blocks(lane, [&](LocalBlock b) {
-            const auto spread = [nu = fluid_.parameters().viscosity, sigma](double ratio) { return nu * (1 + (ratio - 1) / sigma); };
-            map_faces(diffusivity_.on(b), spread, *std::as_const(fluid_.fields()).viscosity_ratio.on(b));
-            if (flux_.coupling())
-                map_faces(
-                    diffusivity_.on(b), [](double d, double phi) { return d * phi; }, diffusivity_.on(b), face_share_.on(b));
-        });
-    };
-    constexpr double tolerance = 1e-8; // no amount is to be kept here; epsilon is a thousand times larger at walls than far from them
-    set_diffusivity(k_epsilon.sigma_k);
-    co_await diffusion_.solve(lane, {diffusivity_, k_capacity_, k_source_, dt, tolerance}, k_);
-    set_diffusivity(k_epsilon.sigma_epsilon);
-    co_await diffusion_.solve(lane, {diffusivity_, epsilon_capacity_, epsilon_source_, dt, tolerance, &free_}, epsilon_);
-    for_blocks(lane, [&](LocalBlock b) { // what skewed cells may take too much of
+    co_await solve(lane, dt);
+    if (wall_distance_.empty()) for_blocks(lane, [&](LocalBlock b) { find_forcing(equations(b), cells(b), dt, forcing_.on(b)); });
+    for_blocks(lane, [&](LocalBlock b) { // skewed cells may take too much; round-off is no turbulence
         map_cells(
-            k_.on(b), [](double q) { return std::max(q, least_turbulence.k); }, k_.on(b));
+            k_.on(b), [](double q) { return q < 2 * least_turbulence.k ? least_turbulence.k : q; }, k_.on(b));
         map_cells(
             epsilon_.on(b), [](double q) { return std::max(q, least_turbulence.epsilon); }, epsilon_.on(b));
     });
+}
+
+TurbulenceCells TurbulenceStep::cells(LocalBlock b)
+{
+    return {k_.on(b), epsilon_.on(b), std::as_const(forcing_).on(b), strain_.on(b), share_.on(b)};
+}
+
+TurbulenceEquations TurbulenceStep::equations(LocalBlock b)
+{
+    return {k_capacity_.on(b), k_source_.on(b), epsilon_capacity_.on(b), epsilon_source_.on(b), free_.on(b)};
+}
+
+void TurbulenceStep::set_diffusivity(tasks::Lane& lane, double sigma)
+{
+    for_blocks(lane, [&](LocalBlock b) {
+        const auto spread = [nu = fluid_.parameters().viscosity, sigma](double ratio) { return nu * (1 + (ratio - 1) / sigma); };
+        map_faces(diffusivity_.on(b), spread, *std::as_const(fluid_.fields()).viscosity_ratio.on(b));
+        if (flux_.coupling())
+            map_faces(
+                diffusivity_.on(b), [](double d, double phi) { return d * phi; }, diffusivity_.on(b), face_share_.on(b));
+    });
+}
+
+tasks::Job TurbulenceStep::solve(tasks::Lane& lane, double dt)
+{
+    constexpr double tolerance = 1e-8; // no amount is to be kept here; epsilon is a thousand times larger at walls than far from them
+    const bool modelled = wall_distance_.empty();
+    set_diffusivity(lane, modelled ? k_epsilon.sigma_k : k_epsilon_resolved.sigma_k);
+    co_await diffusion_.solve(lane, {diffusivity_, k_capacity_, k_source_, dt, tolerance}, k_);
+    set_diffusivity(lane, modelled ? k_epsilon.sigma_epsilon : k_epsilon_resolved.sigma_epsilon);
+    co_await diffusion_.solve(lane, {diffusivity_, epsilon_capacity_, epsilon_source_, dt, tolerance, &free_}, epsilon_);
 }
 
 } // namespace physics

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Turbulence by the k-epsilon model beside the step of the fluid: its viscosity before, k and epsilon after.
-#include "physics/fluid/turbulence.hpp"
+#include "physics/fluid/turbulence_resolved.hpp"
 #include "physics/steps/fluid_flux.hpp"
 #include "physics/steps/scalar_carrier.hpp"
 #include "physics/steps/scalar_diffusion.hpp"
+#include <variant>
 
 namespace physics {
 
@@ -29,12 +30,23 @@ public:
     [[nodiscard]] const core::ScalarField& k() const { return k_; }
     [[nodiscard]] core::ScalarField& epsilon() { return epsilon_; }
     [[nodiscard]] const core::ScalarField& epsilon() const { return epsilon_; }
+    /// 2 S_ij S_ij at the start of the last step, which bounds the viscosity of the next; 0 beside walls that are not resolved [1/s2].
+    [[nodiscard]] core::ScalarField& strain() { return strain_; }
+    /// What diffusion did to epsilon / k in the last step; 0 where walls are resolved [1/s2].
+    [[nodiscard]] core::ScalarField& forcing() { return forcing_; }
+    [[nodiscard]] core::Array3<double> eddy_viscosity(core::LocalBlock b) const;
 
 private:
     void declare_viscosity(tasks::StageGraph& graph);
     tasks::Job advance(tasks::Lane& lane, const core::FaceField& flux, double dt, const core::VectorField& velocity);
+    void set_viscosity_on_faces(core::LocalBlock b, core::View<const double> eddy, core::View<const double> k,
+                                core::FaceView<double> ratio) const;
     tasks::Job find_face_shares(tasks::Lane& lane);
-    [[nodiscard]] WallsOfTurbulence walls(core::LocalBlock b) const;
+    tasks::Job solve(tasks::Lane& lane, double dt);
+    [[nodiscard]] TurbulenceCells cells(core::LocalBlock b);
+    [[nodiscard]] TurbulenceEquations equations(core::LocalBlock b);
+    void set_diffusivity(tasks::Lane& lane, double sigma);
+    [[nodiscard]] std::variant<ModelledWalls, ResolvedWalls> walls(core::LocalBlock b) const;
     [[nodiscard]] const BlockWalls& sides(core::LocalBlock b) const { return fluid_.walls()[std::size_t(b)]; }
     template <class Body>
     void for_blocks(tasks::Lane& lane, Body body) const
@@ -45,10 +57,11 @@ private:
     const core::Mesh& mesh_;
     FluidStep& fluid_;
     TurbulenceParameters parameters_;
-    std::vector<std::vector<WallCell>> wall_cells_; ///< of each block of this rank
+    std::vector<std::vector<WallCell>> wall_cells_;   ///< of each block of this rank
+    std::vector<core::Array3<double>> wall_distance_; ///< only where walls are resolved
     std::vector<EntryValues> entering_k_, entering_epsilon_;
-    core::ScalarField k_, epsilon_;
-    core::ScalarField eddy_, produced_, share_;
+    core::ScalarField k_, epsilon_, strain_, forcing_;
+    core::ScalarField eddy_, share_;
     core::ScalarField k_capacity_, k_source_, epsilon_capacity_, epsilon_source_, free_;
     FluidFlux flux_;
     core::FaceField face_share_, diffusivity_;

@@ -87,6 +87,9 @@ TEST_CASE("scalars have names of their own and boundaries that exist; turbulence
     CHECK(problem_of(fluid("turbulence: { model: k-epsilon }")) == "6:3 turbulence needs 'speed' where nothing flows in");
     CHECK(problem_of(fluid("turbulence: { model: k-omega, speed: 1 m/s }")) != "");
     CHECK(problem_of(fluid("turbulence: { model: none }")) == "");
+    CHECK(problem_of(fluid("turbulence: { model: abe-kondoh-nagano, speed: 1 m/s }")) == "");
+    CHECK(problem_of(fluid("turbulence: { model: abe-kondoh-nagano, speed: 1 m/s, roughness: 1 mm }"))
+              .ends_with("walls that are resolved are smooth"));
 }
 
 TEST_CASE("particles need contact, names of their own, and room")

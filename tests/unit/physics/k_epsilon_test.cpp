@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
-#include "physics/fluid/turbulence.hpp"
+#include "physics/fluid/turbulence_resolved.hpp"
 #include "tests/support/relative.hpp"
 #include <doctest/doctest.h>
 #include <initializer_list>
@@ -13,8 +13,8 @@ namespace {
 Turbulence advanced(const Turbulence& at, double strain, double dt)
 {
     constexpr double syrup = 1.0; // [m2/s]: the bound of the eddy viscosity, 1e5 of that, is far
-    const double produced = physics::production(physics::eddy_viscosity(at.k, at.epsilon, syrup), strain, at.epsilon);
-    const auto s = physics::turbulence_sources(at, produced, dt);
+    const double produced = physics::production(physics::eddy_viscosity(physics::k_epsilon.c_mu, at, syrup, strain), strain, at.epsilon);
+    const auto s = physics::turbulence_sources(at, produced, 0.0, dt);
     return {s.k.source / s.k.capacity, s.epsilon.source / s.epsilon.capacity};
 }
 
@@ -38,14 +38,42 @@ TEST_CASE("turbulence without production decays by its power law, in one step or
     }
 }
 
-TEST_CASE("in a homogeneous shear production over dissipation tends to 2.0909")
+TEST_CASE("in a homogeneous shear production over dissipation tends to 2.0909, and all grows at its rate, in steps of any length")
 {
-    // NUMERICS U8: (C_2 - 1) / (C_1 - 1). Steps of 1e-4 turnovers leave an error of that order.
-    const double shear = 100;
-    Turbulence t{1e-3, 1e-2};
-    for (int n = 0; n < 150000; ++n) t = advanced(t, shear * shear, 1e-4 * t.k / t.epsilon);
-    const double ratio = physics::k_epsilon.c_mu * t.k * t.k / t.epsilon * shear * shear / t.epsilon;
-    CHECK(ratio == test::relative(0.92 / 0.44).epsilon(1e-3));
+    // NUMERICS U8: (C_2 - 1) / (C_1 - 1).
+    const double shear = 100, balance = 0.92 / 0.44;
+    for (const double step : {0.5, 0.1, 0.01}) { // of a turnover: growth by less than e
+        Turbulence t{1e-3, 1e-2}, before;
+        double dt = 0;
+        for (double time = 0; time < 15; time += step) {
+            before = t;
+            dt = step * t.k / t.epsilon;
+            t = advanced(t, shear * shear, dt);
+        }
+        const double rate = t.epsilon / t.k, ratio = physics::k_epsilon.c_mu * std::pow(shear / rate, 2);
+        CHECK(ratio == test::relative(balance).epsilon(1e-4));
+        CHECK(std::log(t.k / before.k) == test::relative((balance - 1) * rate * dt).epsilon(1e-4));
+    }
+    // On the way there, too: half the step or a hundredth of it makes no difference.
+    Turbulence often{1e-3, 2e-3}, seldom = often;
+    for (int n = 0; n < 100; ++n) often = advanced(often, 25.0, 0.01 * 0.2);
+    seldom = advanced(seldom, 25.0, 0.2);
+    CHECK(seldom.k == test::relative(often.k).epsilon(1e-12));
+    CHECK(seldom.epsilon == test::relative(often.epsilon).epsilon(1e-12));
+}
+
+TEST_CASE("turbulence that diffusion holds in balance stays as it is, in steps of any length")
+{
+    // At the axis of a pipe nothing is produced: what dissipates comes by diffusion, k at epsilon, epsilon at C_2 epsilon^2 / k.
+    const Turbulence at{0.01, 0.05};
+    const double rate = at.epsilon / at.k, forcing = (physics::k_epsilon.c_2 - 1) * rate * rate;
+    for (const double dt : {1e-6, 1e-2, 1.0, 1e3}) {
+        const auto s = physics::turbulence_sources(at, 0.0, forcing, dt);
+        const double k = (s.k.source + dt * at.epsilon) / s.k.capacity;
+        const double epsilon = (s.epsilon.source + dt * physics::k_epsilon.c_2 * at.epsilon * rate) / s.epsilon.capacity;
+        CHECK(k == test::relative(at.k).epsilon(1e-13));
+        CHECK(epsilon == test::relative(at.epsilon).epsilon(1e-13));
+    }
 }
 
 TEST_CASE("k and epsilon stay positive and finite for any step, strain and start")
@@ -63,8 +91,16 @@ TEST_CASE("k and epsilon stay positive and finite for any step, strain and start
 TEST_CASE("strain a hundred times faster than turbulence does not make it without bounds")
 {
     // NUMERICS D 36: S k / epsilon = 100 would produce 900 times what dissipates.
-    const double k = 0.1, epsilon = 1.0, strain = std::pow(100 * epsilon / k, 2);
-    CHECK(physics::production(physics::eddy_viscosity(k, epsilon, 1e-6), strain, epsilon) <= 10 * epsilon);
+    const Turbulence at{0.1, 1.0};
+    const double strain = std::pow(100 * at.epsilon / at.k, 2), eddy = physics::eddy_viscosity(physics::k_epsilon.c_mu, at, 1e-6, strain);
+    CHECK(physics::production(eddy, strain, at.epsilon) <= 10 * at.epsilon);
+    // Stagnation, plane or round: no normal stress is negative. The round one is what the bound is made for.
+    const double along_plane = std::sqrt(strain / 4), along_axis = std::sqrt(strain / 3);
+    CHECK(2 * eddy * along_plane <= 2 * at.k / 3);
+    CHECK(2 * eddy * along_axis == test::relative(2 * at.k / 3).epsilon(1e-12));
+    // In the logarithmic layer and in homogeneous shear nothing is bounded: S k / epsilon is 3.3 and 4.8 there.
+    const double shear = std::pow(4.8 * at.epsilon / at.k, 2);
+    CHECK(physics::eddy_viscosity(physics::k_epsilon.c_mu, at, 1e-6, shear) == test::relative(0.09 * 0.01).epsilon(1e-12));
 }
 
 TEST_CASE("friction at walls follows the viscous law below y* = 11.2, the logarithmic one above, and does not jump")
@@ -110,4 +146,45 @@ TEST_CASE("fully rough walls follow Nikuradse's law to 2 % at any distance")
             const auto layer = physics::wall_layer(k, y, nu, roughness);
             CHECK(layer.distance / layer.viscosity == test::relative(std::log(share) / 0.4187 + 8.5).epsilon(0.02));
         }
+}
+
+TEST_CASE("nearness of a wall damps eddy viscosity and decay as Abe, Kondoh and Nagano found")
+{
+    // By hand: y* = 14 and k^2 / (nu epsilon) = 200; then 3.1 and 6.5.
+    const auto damping = [](double distance, double turbulence) {
+        const double nu = 1e-6, epsilon = 0.01, y = distance * nu / std::sqrt(std::sqrt(nu * epsilon));
+        return physics::wall_damping(std::sqrt(turbulence * nu * epsilon), epsilon, y, nu);
+    };
+    CHECK(damping(14, 200).viscosity == test::relative(0.39958 * 1.034586).epsilon(1e-5)); // five digits are given
+    CHECK(damping(3.1, 6.5).decay == test::relative(0.39958 * 0.889636).epsilon(1e-5));
+    CHECK(damping(1e4, 1e6).viscosity == test::relative(1).epsilon(1e-12));
+    CHECK(damping(1e4, 1e6).decay == test::relative(1).epsilon(1e-12));
+    for (const double distance : {0.0, 0.1, 10.0, 1e6, 1e300})
+        for (const double turbulence : {1e-30, 1e-6, 1.0, 1e3, 1e30}) {
+            const auto d = damping(distance, turbulence);
+            CHECK(d.viscosity >= 0);
+            CHECK(d.viscosity <= 1);
+            CHECK(d.decay >= 0);
+            CHECK(d.decay <= 1);
+        }
+}
+
+TEST_CASE("friction at a wall fades and changes its sign with the flow, at any distance and without a jump")
+{
+    // NUMERICS D 37: friction is the viscosity of the layer times slip over distance, so what must not jump is the viscosity.
+    const double nu = 1e-6, y = 1e-3;
+    const auto at = [&](double distance) {
+        return physics::wall_layer(std::pow(distance * nu / y, 2) / std::sqrt(physics::k_epsilon.c_mu), y, nu, 0);
+    };
+    for (const double distance : {0.5, 1.0, 5.0, 11.0, 11.2, 30.0, 1e4}) {
+        const auto layer = at(distance), beyond = at(distance * (1 + 1e-6));
+        CHECK(std::abs(beyond.viscosity / layer.viscosity - 1) < 2e-6); // it grows no faster than the distance
+        CHECK(std::abs(beyond.turbulent - layer.turbulent) < 2e-5);
+        const double slow = physics::wall_production(layer, 1e-12, y, nu), fast = physics::wall_production(layer, 1.0, y, nu);
+        CHECK(slow <= 1e-12 * fast * (1 + 1e-12)); // none where the flow turns
+        CHECK(physics::wall_dissipation(layer, layer.friction_speed * layer.friction_speed, y, nu) > 0);
+    }
+    CHECK(at(0.5).viscosity == 1.0);
+    CHECK(at(1e4).viscosity == test::relative(0.4187e4 / std::log(9.793e4)).epsilon(1e-12));
+    CHECK(physics::wall_production(at(0), 1.0, y, nu) == 0.0);
 }

@@ -135,3 +135,44 @@ TEST_CASE("a rough wall brakes the flow as Nikuradse's law says")
     MESSAGE("friction ", friction, " of ", rough);
     CHECK(std::abs(friction / rough - 1) < 0.05);
 }
+
+TEST_CASE("momentum closes over a cycle of a flow that is turned at a speed, and friction makes the cycle a little longer")
+{
+    // NUMERICS C2.3: the flow of Ushijima & Nezu (2001) without grains; without friction the axis would need 4 U / (G / rho) = 2 s.
+    constexpr double push = 3, turn = 1.5, width = 0.05, dt = 0.005;
+    physics::FluidParameters water;
+    water.density = 1000;
+    water.viscosity = 1e-6;
+    water.drive = physics::ReversingDrive{core::Vec3(push, 0, 0), turn};
+    const test::Carried carried{.turbulence = physics::TurbulenceParameters{physics::turbulence_of(1.0, 0.05, 0.07 * width), {}, 0}};
+    test::FluidRun run(test::pipe_across(16, width, 1, 1), water, {.kind = "serial"}, core::Communicator::self(), carried);
+    run.start([](const core::Vec3&) { return core::Vec3(0, 0, 0); });
+    const auto axis = [&] {
+        double nearest = 1, speed = 0;
+        for (core::LocalBlock b = 0; b < run.mesh().own_count(); ++b)
+            core::for_each_cell(run.mesh().geometry(b).cells, [&](int i, int j, int k) {
+                const double radius = run.centre(b, i, j, k).tail<2>().norm();
+                if (radius < nearest) nearest = radius, speed = run.velocity(b, i, j, k).x();
+            });
+        return speed;
+    };
+    std::vector<double> turns;
+    physics::MomentumBudget cycle;
+    double started = 0, impulse = 0;
+    while (turns.size() < 4 && run.time() < 10) {
+        if (physics::turn_if_due(water.drive, axis(), run.time(), run.fluid().state().clock.drive)) turns.push_back(run.time());
+        if (turns.size() == 4) break;
+        run.step(dt);
+        if (turns.size() < 2) continue; // a cycle lies between the second and the fourth turn
+        if (started == 0) started = run.budget().before.x();
+        cycle += run.budget();
+        impulse += std::abs(run.budget().drive.x());
+    }
+    REQUIRE(turns.size() == 4);
+    const double period = turns[3] - turns[1], kept = run.budget().after.x() - started;
+    MESSAGE("period ", period, " s of 2 s without friction; drive, friction, change over the cycle: ", cycle.drive.x() / impulse, ", ",
+            cycle.viscosity.x() / impulse, ", ", kept / impulse);
+    CHECK(std::abs(kept - cycle.drive.x() - cycle.viscosity.x()) < 1e-6 * impulse);
+    CHECK(period > 4 * turn / push);
+    CHECK(period < 1.03 * 4 * turn / push + 2 * dt); // it turns at the end of a step
+}

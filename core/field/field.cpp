@@ -15,9 +15,10 @@ auto repeat(std::span<const Extents> cells)
 
 auto faces(std::span<const Extents> cells)
 {
-    std::vector<std::array<Extents, 3>> shapes;
+    std::vector<std::array<Extents, 4>> shapes;
     for (const Extents e : cells)
-        shapes.push_back({Extents{e.ni + 1, e.nj, e.nk}, Extents{e.ni, e.nj + 1, e.nk}, Extents{e.ni, e.nj, e.nk + 1}});
+        shapes.push_back(
+            {Extents{e.ni + 1, e.nj, e.nk}, Extents{e.ni, e.nj + 1, e.nk}, Extents{e.ni, e.nj, e.nk + 1}, Extents{e.sub_faces, 1, 1}});
     return shapes;
 }
 

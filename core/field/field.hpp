@@ -32,12 +32,18 @@ struct VectorView {
     operator VectorView<const T>() const requires(!std::is_const_v<T>) { return {x, y, z}; }
 };
 
-/// Values on the faces of a block: i(i, j, k) lies on the low-i face of cell (i, j, k); i is (ni + 1, nj, nk) and so on.
+/// Number of the axis of FaceView along which sub-faces lie.
+inline constexpr int along_sub_faces = 3;
+
+/// Values on the faces of a block: i(i, j, k) lies on the low-i face of cell (i, j, k); i is (ni + 1, nj, nk) and so on. Behind them, as
+/// if along a fourth axis, one for each of BlockGeometry::sub_faces: fluxes are from a to b there, and those of joined faces their sums.
 template <class T>
 struct FaceView {
+    static constexpr int axes = along_sub_faces + 1;
     View<T> i, j, k;
-    [[nodiscard]] View<T> along(int axis) const { return axis == 0 ? i : axis == 1 ? j : k; }
-    operator FaceView<const T>() const requires(!std::is_const_v<T>) { return {i, j, k}; }
+    View<T> sub_faces{}; ///< (their number, 1, 1)
+    [[nodiscard]] View<T> along(int axis) const { return axis == 0 ? i : axis == 1 ? j : axis == 2 ? k : sub_faces; }
+    operator FaceView<const T>() const requires(!std::is_const_v<T>) { return {i, j, k, sub_faces}; }
 };
 
 /// Common part of the fields: `Arrays` arrays of doubles in each block.
@@ -110,19 +116,19 @@ public:
     }
 };
 
-/// One number on each face; no halo.
-class FaceField : public FieldStorage<3> {
+/// One number on each face and sub-face; no halo.
+class FaceField : public FieldStorage<4> {
 public:
     FaceField(FieldInfo info, std::span<const Extents> cells);
     [[nodiscard]] FaceView<double> on(LocalBlock b)
     {
         auto& a = block(b);
-        return {a[0].view(), a[1].view(), a[2].view()};
+        return {a[0].view(), a[1].view(), a[2].view(), a[3].view()};
     }
     [[nodiscard]] FaceView<const double> on(LocalBlock b) const
     {
         const auto& a = block(b);
-        return {a[0].view(), a[1].view(), a[2].view()};
+        return {a[0].view(), a[1].view(), a[2].view(), a[3].view()};
     }
 };
 

@@ -21,6 +21,7 @@ struct Extents {
     int ni = 0, nj = 0, nk = 0;
     /// Numbers that arrays with a halo keep behind it, for sub-faces (sub_face_values.hpp); not counted by size().
     int sub_face_values = 0;
+    int sub_faces = 0; ///< on the sides of the block: what fields on faces keep beside them
     [[nodiscard]] std::ptrdiff_t size() const { return std::ptrdiff_t(ni) * nj * nk; }
     [[nodiscard]] int operator[](int axis) const { return axis == 0 ? ni : axis == 1 ? nj : nk; }
     [[nodiscard]] bool contains(Index3 c) const { return c.i >= 0 && c.j >= 0 && c.k >= 0 && c.i < ni && c.j < nj && c.k < nk; }

@@ -140,12 +140,18 @@ void bend_faces(BlockGeometry& g, const Topology& topology, const Vertices& v, B
 void add_sub_faces(BlockGeometry& g, const Topology& topology, const Vertices& v, BlockId block)
 {
     std::map<std::array<int, 4>, std::pair<Vec3, double>> sums; // area and transmissibility
+    std::map<std::array<int, 3>, std::size_t> numbers;          // of joined cells
     for (const BlockSubFace& s : sub_face_values(topology, block).faces) {
         Index3 face = s.cell;
         if (is_high(s.side)) ++face[axis_of(s.side)];
         const double sense = is_high(s.side) == s.is_a ? 1 : -1;
-        g.sub_faces.push_back(
-            {axis_of(s.side), face, s.cell, s.beyond, s.at_centre, s.is_a, sense, s.face->area, s.face->transmissibility, s.face->cross});
+        g.sub_faces.push_back({axis_of(s.side), face, s.cell, s.beyond, s.at_centre, s.is_a, sense, s.face->area, s.face->transmissibility,
+                               s.face->cross, s.face->from_a, s.face->from_b, s.face->weight});
+        const auto [place, is_new] = numbers.try_emplace({s.cell.k, s.cell.j, s.cell.i}, g.joined_cells.size());
+        if (is_new) g.joined_cells.push_back({s.cell, {}, {}});
+        JoinedCell& cell = g.joined_cells[place->second];
+        cell.joined[std::size_t(s.side)] = true;
+        cell.sub_faces.push_back(int(g.sub_faces.size()) - 1);
         auto& sum = sums.try_emplace({axis_of(s.side), face.k, face.j, face.i}, Vec3::Zero(), 0.0).first->second;
         sum.first += sense * s.face->area;
         sum.second += s.face->transmissibility;

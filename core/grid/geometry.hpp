@@ -37,6 +37,15 @@ struct SubFaceMetrics {
     Vec3 area;               ///< from a to b [m2]
     double transmissibility; ///< [m]
     Vec3 cross;              ///< [m2]
+    Vec3 from_a, from_b;     ///< from the centres of the cells to its own [m]
+    double weight;           ///< share of b in the linear interpolation to it
+};
+
+/// A cell beside sub-faces.
+struct JoinedCell {
+    Index3 cell;
+    std::array<bool, 6> joined{}; ///< its faces that are sums of sub-faces
+    std::vector<int> sub_faces;   ///< their numbers
 };
 
 struct BlockGeometry {
@@ -47,6 +56,7 @@ struct BlockGeometry {
     GradientMatrices gradient;             ///< boundary faces take no part (pressure: no normal gradient is assumed)
     GradientMatrices wall_gradient;        ///< boundary faces take part with their own value (velocity: no slip)
     std::vector<SubFaceMetrics> sub_faces; ///< faces of sides that meet others at sub-faces have the sums of their areas
+    std::vector<JoinedCell> joined_cells;  ///< in the order of their first sub-faces
     /// Inverse Jacobian d(xi_m)/d(x_j), [m][j], halo of centre_halo - 1 layers [1/m].
     std::array<std::array<Array3<double>, 3>, 3> inverse_jacobian;
     /// 1 where the six-point stencils reach round a singular edge, else 0.

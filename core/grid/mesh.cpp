@@ -19,7 +19,9 @@ Mesh::Mesh(MultiBlock grid, int rank, int ranks) : grid_(std::move(grid))
         local_[std::size_t(b)] = own_count();
         own_.push_back(b);
         own_cells_.push_back(cells(b));
-        own_cells_.back().sub_face_values = sub_face_values(topology_, b).count();
+        const SubFaceValues values = sub_face_values(topology_, b);
+        own_cells_.back().sub_face_values = values.count();
+        own_cells_.back().sub_faces = int(values.faces.size());
         geometry_.push_back(make_geometry(grid_, topology_, b));
     }
 }

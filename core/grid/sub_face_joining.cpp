@@ -90,7 +90,9 @@ JoinedSubFace joined(const MultiBlock& grid, const Topology& topology, const Con
     face.b = c.other.cell(f.other.p, f.other.q);
     face.area = towards_b * f.area;
     const auto centroid = [&](BlockId block, Index3 cell) { return cell_shape(grid.blocks[std::size_t(block)], cell).centroid; };
-    const Vec3 d = centroid(s.b, face.b) - s.shift - centroid(s.a, face.a);
+    face.from_a = f.centre - centroid(s.a, face.a);
+    face.from_b = f.centre - (centroid(s.b, face.b) - s.shift);
+    const Vec3 d = face.from_a - face.from_b;
     face.transmissibility = face.area.squaredNorm() / std::max(face.area.dot(d), least_cosine * face.area.norm() * d.norm());
     face.cross = face.area - face.transmissibility * d;
     face.on_a = place_on(c.master, s.a, s.side_a, f.centre, Vec3::Zero());

@@ -21,6 +21,7 @@ struct JoinedSubFace {
     Vec3 area;               ///< from a to b [m2]
     double transmissibility; ///< |S|^2 / (S . d), d from centre to centre [m]
     Vec3 cross;              ///< S - T d [m2]
+    Vec3 from_a, from_b;     ///< from the centres of the cells to its own [m]
     SidePlace on_a, on_b;    ///< where its centre lies
     double weight;           ///< share of b in the linear interpolation to it, across the sides
 };

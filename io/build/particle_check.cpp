@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 #include <numbers>
 
 namespace io {
@@ -57,6 +58,7 @@ private:
         if (size_range(species)[1] >= domain.minCoeff())
             return complain(path + (species.sizes ? ".sizes" : ".diameter"), "the particles are larger than the domain",
                             fmt::format("the domain is {} m wide", number_text(domain.minCoeff())));
+        check_resolution(species, path + (species.sizes ? ".sizes" : ".diameter"));
         if (check_region(species, path) && all_good({path + ".count", "particles"})) check_fraction(n, path);
         if (species.inflow) check_inflow(species, path + ".inflow");
     }
@@ -73,6 +75,19 @@ private:
             complain(path + ".sizes", error.what(), "");
             return false;
         }
+    }
+
+    /// Do numbers as large as coordinates in the domain tell overlaps of such small particles apart?
+    void check_resolution(const Species& species, const std::string& path)
+    {
+        constexpr double finest = 1e-9; // of a diameter: a hundred-thousandth of a usual overlap
+        const double farthest = std::max(scene_.grid.low().cwiseAbs().maxCoeff(), scene_.grid.high().cwiseAbs().maxCoeff());
+        const double apart = farthest * std::numeric_limits<double>::epsilon();
+        if (apart > finest * size_range(species)[0])
+            complain(path,
+                     fmt::format("{} m from the origin, places are known to {:.1g} m only: too coarse for contacts of such small particles",
+                                 number_text(farthest), apart),
+                     "move the grid to the origin, or make it smaller");
     }
 
     [[nodiscard]] bool check_region(const Species& species, const std::string& path)
@@ -156,9 +171,13 @@ private:
         const bool dense = species.initial.arrangement == Arrangement::dense;
         if (!dense && species.initial.arrangement != Arrangement::random) return;
         double volume = 0.0;
+        std::int64_t count = 0;
         for (std::size_t m = 0; m <= n; ++m)
-            if (const Species& other = scene_.particles[m]; has_sizes(other) && other.initial.region == species.initial.region)
+            if (const Species& other = scene_.particles[m]; has_sizes(other) && other.initial.region == species.initial.region) {
                 volume += number_of(other) * std::numbers::pi / 6.0 * mean_cube(other);
+                count += number_of(other);
+            }
+        if (count < 2) return; // one finds a place in any region
         const double fraction = volume / room_of(scene_, species), most = dense ? densest_fraction : largest_random_fraction;
         if (fraction > most)
             complain(path + (species.volume_fraction ? ".volume_fraction" : ".count"),

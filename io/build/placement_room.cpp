@@ -69,9 +69,9 @@ double room_of(const Scene& scene, const Species& species)
         const physics::Region centres = species.initial.region.region({});
         return volume_inside(scene.grid, physics::grown(centres, 0.5 * size_range(species)[1]));
     }
-    const core::Vec3 low = moved_corner(scene, species, low_of(scene, species), -0.5);
-    const core::Vec3 high = moved_corner(scene, species, high_of(scene, species), 0.5);
-    return std::min((high - low).prod(), scene.grid.volume());
+    const core::Vec3 reach = core::Vec3::Constant(size_range(species)[1]);
+    const core::Vec3 room = high_of(scene, species) - low_of(scene, species) + reach;
+    return std::min(room.cwiseMin(scene.grid.high() - scene.grid.low()).prod(), scene.grid.volume());
 }
 
 int filling_count(const Scene& scene, const Species& species)

@@ -98,6 +98,8 @@ private:
                      "write advection: lcsi, or leave it out");
         if (!particles && scene_.output.energy_budget == EnergyBudget::kept)
             complain("output.energy_budget", "'energy_budget' does nothing without 'particles'", "remove it, or add particles");
+        if (particles && scene_.measures(GrainMeasure::transport) && !scene_.gravity)
+            complain("output.grains", "'transport' needs 'gravity', which says what lies above a bed", "remove it, or add gravity");
         if (scene_.coupling && (!particles || !scene_.fluid))
             complain("coupling", "'coupling' needs both 'fluid' and 'particles'", "remove it, or add what is missing");
     }

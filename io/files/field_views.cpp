@@ -23,7 +23,7 @@ std::vector<core::View<T>> arrays(const core::VectorView<T>& view)
 template <class T>
 std::vector<core::View<T>> arrays(const core::FaceView<T>& view)
 {
-    return {view.i, view.j, view.k};
+    return {view.i, view.j, view.k, view.sub_faces};
 }
 
 template <class T, class Field>

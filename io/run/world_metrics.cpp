@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/run/world_metrics.hpp"
 #include "io/files/rank_zero.hpp"
+#include "io/run/bed_metrics.hpp"
 #include "io/run/metric_groups.hpp"
 
 namespace io {
@@ -19,6 +20,7 @@ std::vector<MetricGroup> state_metrics(World& world)
     if (world.grains() && !world.scene().walls.empty()) groups.push_back(wall_metrics(world));
     if (world.grains() && !world.scene().output.grains.empty()) groups.push_back(measured_metrics(world));
     if (world.grains() && world.scene().gravity) groups.push_back(height_metrics(world));
+    if (world.grains() && world.scene().measures(GrainMeasure::transport)) groups.push_back(bed_metrics(world));
     if (world.coupling()) groups.push_back(solid_metrics(world));
     return groups;
 }
@@ -39,6 +41,7 @@ WorldMetrics::WorldMetrics(World& world, const std::filesystem::path& file, std:
     groups_.push_back(step_metrics(world));
     for (MetricGroup& group : state_metrics(world)) groups_.push_back(std::move(group));
     if (ledger_) groups_.push_back(momentum_metrics(*ledger_));
+    if (ledger_ && world.scene().measures(GrainMeasure::transport)) groups_.push_back(bed_stress_metrics(world, *ledger_));
     on_rank_zero<core::FileError>(ranks_, [&] { writer_.emplace(file, names(), restart_time); });
 }
 

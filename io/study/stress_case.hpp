@@ -6,7 +6,8 @@
 
 namespace io {
 
-/// What is measured; most are the largest of the run; final_*, settling_speed, flow_speed and ledger are those of its end.
+/// What is measured; most are the largest of the run; final_*, settling_speed, creep, flow_speed and ledger are
+/// those of its end.
 enum class Measure {
     particle_speed,
     fluid_speed,
@@ -18,6 +19,8 @@ enum class Measure {
     final_particle_speed,
     final_rms_speed,
     settling_speed,
+    slip_speed,
+    creep,
     flow_speed,
     ledger,
     pressure_growth,
@@ -28,7 +31,7 @@ enum class Measure {
 struct MeasureWords {
     std::string_view word, unit, meaning;
 };
-inline constexpr std::array<MeasureWords, 15> measures{{
+inline constexpr std::array<MeasureWords, 17> measures{{
     {"particle_speed", "m/s", "Largest speed of a particle"},
     {"fluid_speed", "m/s", "Largest speed of the fluid"},
     {"energy", "J", "Kinetic energy of fluid and particles"},
@@ -39,6 +42,8 @@ inline constexpr std::array<MeasureWords, 15> measures{{
     {"final_particle_speed", "m/s", "Largest speed of a particle at the end"},
     {"final_rms_speed", "m/s", "Root mean square speed of the particles at the end"},
     {"settling_speed", "m/s", "Mean speed along gravity of the particles against the fluid at the end"},
+    {"slip_speed", "m/s", "Largest distance of the mean velocity of the particles from that of the fluid"},
+    {"creep", "m", "Largest distance of a particle at the end from where it was after the first step"},
     {"flow_speed", "m/s", "Mean of fluid fraction times velocity along the drive at the end"},
     {"ledger", "N s", "Impulses owed to fluid and particles at the end"},
     {"pressure_growth", "1", "Largest pressure of any variant over that of the first"},

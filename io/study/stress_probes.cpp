@@ -49,10 +49,27 @@ core::Vec3 mean_velocity(World& world)
     return mean;
 }
 
+/// Places of particles by their number, for a world on one rank [m].
+std::map<std::int64_t, core::Vec3> places(World& world)
+{
+    std::map<std::int64_t, core::Vec3> result;
+    const core::ParticleSet& p = world.grains()->particles;
+    for (int i = 0; i < p.owned; ++i) result[p.id[std::size_t(i)]] = p.position_of(i);
+    return result;
+}
+
+/// Distance from one of these places to the other's nearest image.
+double distance(const World& world, core::Vec3 between)
+{
+    for (const core::Vec3& period : world.mesh().periods()) between -= std::round(between.dot(period) / period.squaredNorm()) * period;
+    return between.norm();
+}
+
 /// Sums over the particles of all ranks: vx, vy, vz, |v|^2, count; and the largest |v|.
 struct ParticleSums {
     std::array<double, 5> sums{};
     double largest = 0;
+    [[nodiscard]] core::Vec3 mean_velocity() const { return core::Vec3(sums[0], sums[1], sums[2]) / std::max(1.0, sums[4]); }
 };
 
 ParticleSums particle_sums(World& world)
@@ -125,14 +142,19 @@ void StressProbes::add_particles()
         return sums[4] > 0 ? std::sqrt(sums[3] / sums[4]) : 0.0;
     });
     add_final(Measure::settling_speed, [this] {
-        const auto sums = particle_sums(world_).sums;
         const core::Vec3 fluid = world_.fluid() ? mean_velocity(world_) : core::Vec3(core::Vec3::Zero());
-        return (core::Vec3(sums[0], sums[1], sums[2]) / std::max(1.0, sums[4]) - fluid).dot(gravity_of(world_.scene()).normalized());
+        return (particle_sums(world_).mean_velocity() - fluid).dot(gravity_of(world_.scene()).normalized());
+    });
+    add_final(Measure::creep, [this] {
+        double largest = 0;
+        for (const auto& [id, place] : places(world_)) largest = std::max(largest, distance(world_, place - first_places_.at(id)));
+        return largest;
     });
 }
 
 void StressProbes::add_coupling()
 {
+    add_during(Measure::slip_speed, [this] { return (particle_sums(world_).mean_velocity() - mean_velocity(world_)).norm(); });
     add_during(Measure::solid_fraction, [this] {
         return core::max_over_blocks(world_.mesh(), world_.ranks(), [&](core::LocalBlock b) {
             const auto phi = world_.coupling()->fields().fraction.on(b);
@@ -151,6 +173,7 @@ void StressProbes::after_step()
 {
     const bool books = criteria_.of(Measure::momentum_defect) || criteria_.of(Measure::exchange_defect) || criteria_.of(Measure::ledger);
     if (ledger_ && books) ledger_->update();
+    if (criteria_.of(Measure::creep) && first_places_.empty()) first_places_ = places(world_);
     for (const Probe& probe : during_) {
         double& largest = values_[std::size_t(probe.measure)];
         const double now = probe.value();

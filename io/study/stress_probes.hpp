@@ -5,6 +5,7 @@
 #include "io/run/momentum_ledger.hpp"
 #include "io/study/stress_case.hpp"
 #include <functional>
+#include <map>
 
 namespace io {
 
@@ -35,6 +36,7 @@ private:
     const StressCriteria& criteria_;
     std::optional<MomentumLedger> ledger_;
     std::vector<Probe> during_, final_;
+    std::map<std::int64_t, core::Vec3> first_places_; ///< of the particles after the first step; only for creep [m]
     std::array<double, measures.size()> values_{};
 };
 

@@ -4,9 +4,7 @@
 #include "core/grid/hexahedron.hpp"
 #include "physics/fluid/cell_loops.hpp"
 #include "physics/fluid/faces_of_cells.hpp"
-
-#include <algorithm>
-#include <limits>
+#include "physics/fluid/sub_face_transport.hpp"
 
 namespace physics {
 namespace {
@@ -19,7 +17,6 @@ template <class Store>
 void for_each_face_value(const core::BlockGeometry& geometry, const FaceCentres& centres, int axis, core::View<const double> flux,
                          const CarriedValue& q, Store store)
 {
-    constexpr double second_difference = 1.0 / 6;
     const core::Extents n = flux.extents();
     const auto cx = geometry.centre_x.view(), cy = geometry.centre_y.view(), cz = geometry.centre_z.view();
     const std::ptrdiff_t c = cx.stride(axis), s = q.value.stride(axis), m = q.half.stride(axis), g = q.gradient.x.stride(axis);
@@ -40,7 +37,7 @@ void for_each_face_value(const core::BlockGeometry& geometry, const FaceCentres&
                                        slope_z * (fz[i] - (along ? z[i - c] : z[i]));
                 const double along_line = slope_x * (x[i] - x[i - c]) + slope_y * (y[i] - y[i - c]) + slope_z * (z[i] - z[i - c]);
                 const double bend = (beyond - value) - (along ? along_line : -along_line);
-                put(i, f[i], value, (half - value) + to_face + second_difference * bend);
+                put(i, f[i], value, (half - value) + to_face + share_of_second_difference * bend);
             }
         }
 }
@@ -100,6 +97,7 @@ void transport_fluxes(const core::BlockGeometry& geometry, const FaceCentres& ce
             };
         });
     }
+    sub_face_transport_fluxes(geometry, flux, q, upwind, added);
 }
 
 void transport_flux(const core::BlockGeometry& geometry, const FaceCentres& centres, core::FaceView<const double> flux,
@@ -113,11 +111,12 @@ void transport_flux(const core::BlockGeometry& geometry, const FaceCentres& cent
     }
 }
 
-void outflow_of_cells(core::FaceView<const double> flux, core::View<double> outflow)
+void outflow_of_cells(const core::BlockGeometry& geometry, core::FaceView<const double> flux, core::View<double> outflow)
 {
     map_faces_of_cells(outflow, flux, [](double low_i, double high_i, double low_j, double high_j, double low_k, double high_k) {
         return leaving(low_i, high_i) + leaving(low_j, high_j) + leaving(low_k, high_k);
     });
+    for (const core::JoinedCell& at : geometry.joined_cells) outflow[at.cell] = outflow_of(geometry, at, flux);
 }
 
 double largest_outflow_rate(const core::BlockGeometry& geometry, core::FaceView<const double> flux)
@@ -133,13 +132,13 @@ double largest_outflow_rate(const core::BlockGeometry& geometry, core::FaceView<
             for (int i = 0; i < n.ni; ++i)
                 most = std::max(most, (leaving(fi[i], fi[i + 1]) + leaving(low_j[i], high_j[i]) + leaving(low_k[i], high_k[i])) / v[i]);
         }
+    for (const core::JoinedCell& at : geometry.joined_cells) most = std::max(most, outflow_of(geometry, at, flux) / volume[at.cell]);
     return most;
 }
 
-void flux_shares(core::View<const double> value, core::View<const double> low, core::View<const double> capacity,
-                 core::FaceView<const double> added, core::View<double> gain, core::View<double> loss)
+void flux_shares(const core::BlockGeometry& geometry, core::View<const double> value, core::View<const double> low,
+                 core::View<const double> capacity, core::FaceView<const double> added, core::View<double> gain, core::View<double> loss)
 {
-    constexpr double nothing = std::numeric_limits<double>::min(); // so that 0 / 0 does not arise
     const core::Extents n = low.extents();
     const std::ptrdiff_t sj = value.stride(1), sk = value.stride(2);
     for (int k = 0; k < n.nk; ++k)
@@ -156,15 +155,18 @@ void flux_shares(core::View<const double> value, core::View<const double> low, c
                     std::min({std::min({v[i], v[i - 1], v[i + 1]}), std::min(v[i - sj], v[i + sj]), std::min(v[i - sk], v[i + sk])});
                 const double in = leaving(fi[i + 1], fi[i]) + leaving(high_j[i], low_j[i]) + leaving(high_k[i], low_k[i]);
                 const double out = leaving(fi[i], fi[i + 1]) + leaving(low_j[i], high_j[i]) + leaving(low_k[i], high_k[i]);
-                take[i] = std::min(1.0, std::max(most - q[i], 0.0) * room[i] / (in + nothing));
-                give[i] = std::min(1.0, std::max(q[i] - least, 0.0) * room[i] / (out + nothing));
+                take[i] = share_within(most - q[i], room[i], in);
+                give[i] = share_within(q[i] - least, room[i], out);
             }
         }
+    sub_face_flux_shares(geometry, value, low, capacity, added, gain, loss);
 }
 
-void reduce_fluxes(core::View<const double> gain, core::View<const double> loss, core::FaceView<double> added)
+void reduce_fluxes(const core::BlockGeometry& geometry, core::View<const double> gain, core::View<const double> loss,
+                   core::FaceView<double> added)
 {
     for (int axis = 0; axis < 3; ++axis) reduce_along(axis, gain, loss, added.along(axis));
+    reduce_sub_face_fluxes(geometry, gain, loss, added);
 }
 
 } // namespace physics

@@ -6,6 +6,8 @@
 //   w' V = w V - dt sum F,   w' V q' = w V q - dt sum (F q_upwind + c A),   A = F (q_face - q_upwind),   0 <= c <= 1.
 // It is stable, and bounded, where no more than w V leaves a cell in a step.
 #include "core/grid/mesh.hpp"
+#include <algorithm>
+#include <limits>
 
 namespace physics {
 
@@ -39,10 +41,20 @@ void transport_fluxes(const core::BlockGeometry& geometry, const FaceCentres& ce
 void transport_flux(const core::BlockGeometry& geometry, const FaceCentres& centres, core::FaceView<const double> flux,
                     const CarriedValue& q, core::FaceView<double> out);
 
+/// What is added to the value on a face of the second difference along the line between cells.
+inline constexpr double share_of_second_difference = 1.0 / 6;
+
 /// Sum of the fluxes that leave each cell [m3/s].
-void outflow_of_cells(core::FaceView<const double> flux, core::View<double> outflow);
+void outflow_of_cells(const core::BlockGeometry& geometry, core::FaceView<const double> flux, core::View<double> outflow);
 /// The largest of that over the volume of the cell [1/s].
 [[nodiscard]] double largest_outflow_rate(const core::BlockGeometry& geometry, core::FaceView<const double> flux);
+
+/// Share of a flux that leaves a cell in its range: `room` is what is left of that.
+[[nodiscard]] inline double share_within(double room, double capacity, double flux)
+{
+    constexpr double nothing = std::numeric_limits<double>::min(); // so that 0 / 0 does not arise
+    return std::min(1.0, std::max(room, 0.0) * capacity / (flux + nothing));
+}
 
 /// How much of the added fluxes a cell can take and give without leaving the range of its old and its neighbours' old values.
 /// @source  Zalesak (1979), eqs. (7)-(12), bounds from old values alone.
@@ -50,10 +62,11 @@ void outflow_of_cells(core::FaceView<const double> flux, core::View<double> outf
 /// @param capacity     w' V / dt [m3/s].
 /// @param[out] gain    Share of the fluxes into the cell.
 /// @param[out] loss    Share of the fluxes out of it.
-void flux_shares(core::View<const double> value, core::View<const double> low, core::View<const double> capacity,
-                 core::FaceView<const double> added, core::View<double> gain, core::View<double> loss);
+void flux_shares(const core::BlockGeometry& geometry, core::View<const double> value, core::View<const double> low,
+                 core::View<const double> capacity, core::FaceView<const double> added, core::View<double> gain, core::View<double> loss);
 
 /// Reduces added fluxes to what both cells can take; both shares with one halo layer.
-void reduce_fluxes(core::View<const double> gain, core::View<const double> loss, core::FaceView<double> added);
+void reduce_fluxes(const core::BlockGeometry& geometry, core::View<const double> gain, core::View<const double> loss,
+                   core::FaceView<double> added);
 
 } // namespace physics

@@ -26,11 +26,11 @@ void map_components(core::VectorView<double> out, Body body, const In&... in)
     for (int c = 0; c < 3; ++c) map_cells(out.component(c), body, in.component(c)...);
 }
 
-/// The same for every face.
+/// The same for every face and sub-face.
 template <class Body, class... In>
 void map_faces(core::FaceView<double> out, Body body, const In&... in)
 {
-    for (int axis = 0; axis < 3; ++axis) map_cells(out.along(axis), body, in.along(axis)...);
+    for (int axis = 0; axis < core::FaceView<double>::axes; ++axis) map_cells(out.along(axis), body, in.along(axis)...);
 }
 
 /// Sum of term(in...) over the interior in a fixed order: that of the vector lanes of this build within rows.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "physics/fluid/diffusion.hpp"
 #include "physics/fluid/cell_loops.hpp"
+#include "physics/fluid/sub_face_flux.hpp"
 
 namespace physics {
 
@@ -48,15 +49,16 @@ void diffusive_inflow(const core::BlockGeometry& geometry, const BlockWalls& wal
     if (geometry.is_straight() && !factors) return two_point_inflow(geometry, walls, q, out.inflow);
     gradient_flux(geometry, q, gradients, out.flux);
     wall_gradient_flux(geometry, walls, q, out.flux);
-    scale_flux(factors, out.flux);
+    scale_flux(geometry, factors, out.flux);
     net_outflow(out.flux, out.inflow);
 }
 
-void scale_flux(const FaceFactors& factors, core::FaceView<double> flux)
+void scale_flux(const core::BlockGeometry& geometry, const FaceFactors& factors, core::FaceView<double> flux)
 {
-    if (factors)
-        map_faces(
-            flux, [](double f, double factor) { return f * factor; }, flux, *factors);
+    if (!factors) return;
+    map_faces(
+        flux, [](double f, double factor) { return f * factor; }, flux, *factors);
+    sum_sub_faces(geometry, flux);
 }
 
 void viscous_acceleration(const core::BlockGeometry& geometry, double viscosity, core::View<const double> inflow, core::View<double> out)

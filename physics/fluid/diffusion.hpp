@@ -28,6 +28,6 @@ void transmissibility_sum(const core::BlockGeometry& geometry, core::View<double
 /// The same times factors on the faces.
 void transmissibility_sum(const core::BlockGeometry& geometry, core::FaceView<const double> factors, core::View<double> sum);
 /// Multiplies a flux by the factors.
-void scale_flux(const FaceFactors& factors, core::FaceView<double> flux);
+void scale_flux(const core::BlockGeometry& geometry, const FaceFactors& factors, core::FaceView<double> flux);
 
 } // namespace physics

@@ -28,10 +28,12 @@ void add_interface(const core::Mesh& mesh, const core::Interface& f, MeshLinks& 
         const double along = std::abs(shape.area.dot(d));
         links.transmissibility.push_back(shape.area.squaredNorm() / along);
         links.spreading.push_back(along / d.squaredNorm());
+        links.sub_face.push_back(-1);
     });
 }
 
-void add_sub_faces(const core::Mesh& mesh, const core::SubFaceInterface& f, MeshLinks& links)
+/// @param first  Number of the first sub-face.
+void add_sub_faces(const core::Mesh& mesh, const core::SubFaceInterface& f, int first, MeshLinks& links)
 {
     const core::SideContact& c = f.contact;
     const core::Extents na = mesh.cells(c.a), nb = mesh.cells(c.b);
@@ -40,6 +42,7 @@ void add_sub_faces(const core::Mesh& mesh, const core::SubFaceInterface& f, Mesh
             {{c.a, cell_index(na, s.a.i, s.a.j, s.a.k), c.side_a}, {c.b, cell_index(nb, s.b.i, s.b.j, s.b.k), c.side_b}});
         links.transmissibility.push_back(s.transmissibility);
         links.spreading.push_back(s.area.squaredNorm() * s.transmissibility / (s.area - s.cross).squaredNorm());
+        links.sub_face.push_back(first++);
     }
 }
 
@@ -54,6 +57,7 @@ void add_wall(const core::Mesh& mesh, const core::Boundary& boundary, MeshLinks&
         links.topology.links.push_back({{boundary.block, cell_index(n, c.i, c.j, c.k), boundary.side}, {wall_block, 0, boundary.side}});
         links.transmissibility.push_back(transmissibility(i, j, k));
         links.spreading.push_back(transmissibility(i, j, k));
+        links.sub_face.push_back(-1);
     });
 }
 
@@ -67,8 +71,15 @@ MeshLinks make_mesh_links(const core::Mesh& mesh, int rank, const std::function<
     links.topology.rank = rank;
     for (const core::Interface& f : mesh.topology().interfaces)
         if (mesh.owner(f.a) == rank || mesh.owner(f.b) == rank) add_interface(mesh, f, links);
-    for (const core::SubFaceInterface& f : mesh.topology().joints.interfaces)
-        if (mesh.owner(f.contact.a) == rank || mesh.owner(f.contact.b) == rank) add_sub_faces(mesh, f, links);
+    std::vector<int> count(std::size_t(mesh.blocks()), 0); // of sub-faces of each block so far
+    for (const core::SubFaceInterface& f : mesh.topology().joints.interfaces) {
+        const auto a = std::size_t(f.contact.a), b = std::size_t(f.contact.b);
+        const int faces = int(f.faces.size()), first_of_a = count[a], first_of_b = count[b] + (a == b ? faces : 0);
+        if (mesh.owner(f.contact.a) == rank) add_sub_faces(mesh, f, first_of_a, links);
+        else if (mesh.owner(f.contact.b) == rank) add_sub_faces(mesh, f, first_of_b, links);
+        count[a] += faces;
+        count[b] += faces;
+    }
     for (const core::Boundary& boundary : mesh.topology().boundaries)
         if (mesh.owner(boundary.block) == rank && gives_value(boundary)) add_wall(mesh, boundary, links);
     return links;

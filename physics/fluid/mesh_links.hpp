@@ -12,6 +12,8 @@ struct MeshLinks {
     BlockTopology topology;
     std::vector<double> transmissibility; ///< of each link, |S|^2 / (S . d): goes with cross terms [m]
     std::vector<double> spreading;        ///< of each link, (S . d) / |d|^2: see spreading() [m]
+    /// Of each link that is a sub-face, its number in BlockGeometry::sub_faces: of block a if that is on this rank, else of b. Else -1.
+    std::vector<int> sub_face;
 };
 
 /// Links of all sides that touch a block of this rank. Each transmissibility comes from the vertices of the same block on

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "physics/fluid/mobility.hpp"
 #include "physics/fluid/cell_loops.hpp"
+#include "physics/fluid/sub_face_flux.hpp"
 
 namespace physics {
 
-void face_mobility(core::View<const double> mobility, core::FaceView<double> faces)
+void face_mobility(const core::BlockGeometry& geometry, core::View<const double> mobility, core::FaceView<double> faces)
 {
     for (int axis = 0; axis < 3; ++axis) {
         const auto out = faces.along(axis);
@@ -19,12 +20,14 @@ void face_mobility(core::View<const double> mobility, core::FaceView<double> fac
                 for (int i = 0; i < n.ni; ++i) f[i] = 2.0 * (m[i] * m[i - back]) / (m[i] + m[i - back]);
             }
     }
+    combine_at_sub_faces(geometry, mobility, faces, [](double a, double b, double) { return 2.0 * (a * b) / (a + b); });
 }
 
-void scale_by_mobility(core::FaceView<const double> mobility, core::FaceView<double> flux)
+void scale_by_mobility(const core::BlockGeometry& geometry, core::FaceView<const double> mobility, core::FaceView<double> flux)
 {
     map_faces(
         flux, [](double f, double m) { return f * m; }, flux, mobility);
+    sum_sub_faces(geometry, flux);
 }
 
 void transmissibility(const core::BlockGeometry& geometry, core::FaceView<double> out)
@@ -37,8 +40,13 @@ void transmissibility(const core::BlockGeometry& geometry, core::FaceView<double
 std::vector<LinkFace> link_faces(const core::Mesh& mesh, const MeshLinks& links)
 {
     std::vector<LinkFace> faces;
-    for (const BlockLink& link : links.topology.links) {
+    for (std::size_t n = 0; n < links.topology.links.size(); ++n) {
+        const BlockLink& link = links.topology.links[n];
         const LinkEnd& end = mesh.local(link.a.block) >= 0 ? link.a : link.b;
+        if (links.sub_face[n] >= 0) {
+            faces.push_back({mesh.local(end.block), core::along_sub_faces, {links.sub_face[n], 0, 0}});
+            continue;
+        }
         const int axis = core::axis_of(end.side);
         core::Index3 face = cell_place(mesh.cells(end.block), end.cell);
         if (core::is_high(end.side)) ++face[axis];

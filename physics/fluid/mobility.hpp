@@ -10,15 +10,15 @@ namespace physics {
 /// Harmonic mean of the two cells of each face: where grains block one of them, little goes through. Bits do not depend on
 /// the side from which a face is seen.
 /// @param mobility  One halo layer, mirrored evenly beyond walls.
-void face_mobility(core::View<const double> mobility, core::FaceView<double> faces);
+void face_mobility(const core::BlockGeometry& geometry, core::View<const double> mobility, core::FaceView<double> faces);
 
 /// flux *= mobility on every face.
-void scale_by_mobility(core::FaceView<const double> mobility, core::FaceView<double> flux);
+void scale_by_mobility(const core::BlockGeometry& geometry, core::FaceView<const double> mobility, core::FaceView<double> flux);
 
 /// Transmissibility of every face [m].
 void transmissibility(const core::BlockGeometry& geometry, core::FaceView<double> out);
 
-/// Where the face of each link lies in the fields of this rank.
+/// Where the face of each link lies in the fields of this rank; sub-faces along their fourth axis.
 struct LinkFace {
     core::LocalBlock block;
     int axis;

@@ -38,11 +38,10 @@ void add_pressure_smoothing(const core::BlockGeometry& geometry, const BlockWall
 {
     gradient_flux(geometry, pressure, pressure_gradient, scratch);
     pressure_wall_flux(geometry, walls, pressure, scratch);
-    set_joined_aside(geometry, scratch, flux);
     for (int axis = 0; axis < 3; ++axis)
         add_pressure_smoothing_along(geometry.face[std::size_t(axis)], axis, mobility, diffusion, pressure_gradient, scratch.along(axis),
                                      flux.along(axis));
-    smooth_joined_pressure(geometry, {mobility, diffusion}, pressure, pressure_gradient, scratch, flux);
+    smooth_joined_pressure(geometry, {mobility, diffusion}, pressure_gradient, scratch, flux);
 }
 
 void correct_flux(const core::BlockGeometry& geometry, const BlockWalls& walls, core::View<const double> psi,

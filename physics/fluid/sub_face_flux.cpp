@@ -5,69 +5,79 @@
 namespace physics {
 namespace {
 
-/// A value beside a sub-face: of cell a and of cell b, whichever of them is in this block.
-struct Pair {
-    double a, b;
-};
-
-Pair pair_at(const core::SubFaceMetrics& s, core::View<const double> q)
-{
-    const double here = q[s.cell], beyond = q.behind_halo(s.beyond);
-    return s.is_a ? Pair{here, beyond} : Pair{beyond, here};
-}
-
-double mean(Pair p) { return 0.5 * (p.a + p.b); }
+double mean(SubFacePair p) { return 0.5 * (p.a + p.b); }
 
 core::Vec3 mean_at(const core::SubFaceMetrics& s, core::VectorView<const double> g)
 {
     return {mean(pair_at(s, g.x)), mean(pair_at(s, g.y)), mean(pair_at(s, g.z))};
 }
 
-double gradient_flux_of(const core::SubFaceMetrics& s, core::View<const double> q, core::VectorView<const double> g)
-{
-    const Pair v = pair_at(s, q);
-    return s.transmissibility * (v.b - v.a) + s.cross.dot(mean_at(s, g));
-}
-
-/// flux of each face = sum of flux_of(sub-face).
+/// flux = flux_of(sub-face, its number), and its sums on faces.
 template <class FluxOf>
-void sum_up(const core::BlockGeometry& geometry, core::FaceView<double> flux, FluxOf flux_of)
+void set_sub_faces(const core::BlockGeometry& geometry, core::FaceView<double> flux, FluxOf flux_of)
 {
-    for (const core::SubFaceMetrics& s : geometry.sub_faces) flux.along(s.axis)[s.face] = 0;
-    for (const core::SubFaceMetrics& s : geometry.sub_faces) flux.along(s.axis)[s.face] += s.sense * flux_of(s);
+    for (std::size_t n = 0; n < geometry.sub_faces.size(); ++n) flux.sub_faces(int(n), 0, 0) = flux_of(geometry.sub_faces[n], int(n));
+    sum_sub_faces(geometry, flux);
 }
 
 } // namespace
 
+void sum_sub_faces(const core::BlockGeometry& geometry, core::FaceView<double> flux)
+{
+    const auto& all = geometry.sub_faces;
+    for (const core::SubFaceMetrics& s : all) flux.along(s.axis)[s.face] = 0;
+    for (std::size_t n = 0; n < all.size(); ++n) flux.along(all[n].axis)[all[n].face] += all[n].sense * flux.sub_faces(int(n), 0, 0);
+}
+
+void average_sub_faces(const core::BlockGeometry& geometry, core::FaceView<double> factors)
+{
+    const auto& all = geometry.sub_faces;
+    for (const core::SubFaceMetrics& s : all) factors.along(s.axis)[s.face] = 0;
+    for (std::size_t n = 0; n < all.size(); ++n) {
+        const double whole = geometry.face[std::size_t(all[n].axis)].transmissibility.view()[all[n].face];
+        factors.along(all[n].axis)[all[n].face] += all[n].transmissibility / whole * factors.sub_faces(int(n), 0, 0);
+    }
+}
+
 void sub_face_gradient_flux(const core::BlockGeometry& geometry, core::View<const double> q, core::VectorView<const double> gradients,
                             core::FaceView<double> flux)
 {
-    sum_up(geometry, flux, [&](const core::SubFaceMetrics& s) { return gradient_flux_of(s, q, gradients); });
+    set_sub_faces(geometry, flux, [&](const core::SubFaceMetrics& s, int) {
+        const SubFacePair v = pair_at(s, q);
+        return s.transmissibility * (v.b - v.a) + s.cross.dot(mean_at(s, gradients));
+    });
 }
 
 void sub_face_interpolated_flux(const core::BlockGeometry& geometry, core::VectorView<const double> u, core::FaceView<double> flux)
 {
-    sum_up(geometry, flux, [&](const core::SubFaceMetrics& s) {
+    set_sub_faces(geometry, flux, [&](const core::SubFaceMetrics& s, int) {
         return s.area.x() * u.x.behind_halo(s.at_centre) + s.area.y() * u.y.behind_halo(s.at_centre) +
                s.area.z() * u.z.behind_halo(s.at_centre);
     });
 }
 
-void set_joined_aside(const core::BlockGeometry& geometry, core::FaceView<double> scratch, core::FaceView<const double> flux)
+void sub_face_scaled_flux(const core::BlockGeometry& geometry, core::VectorView<const double> u, core::FaceView<const double> factors,
+                          double offset, core::FaceView<double> flux)
 {
-    for (const core::SubFaceMetrics& s : geometry.sub_faces) scratch.along(s.axis)[s.face] = flux.along(s.axis)[s.face];
+    set_sub_faces(geometry, flux,
+                  [&](const core::SubFaceMetrics& s, int n) { return (factors.sub_faces(n, 0, 0) - offset) * s.area.dot(mean_at(s, u)); });
 }
 
-void smooth_joined_pressure(const core::BlockGeometry& geometry, const SmoothingStrength& strength, core::View<const double> pressure,
-                            core::VectorView<const double> gradient, core::FaceView<const double> aside, core::FaceView<double> flux)
+void sub_face_uniform_flux(const core::BlockGeometry& geometry, const core::Vec3& vector, core::FaceView<const double> factors,
+                           core::FaceView<double> flux)
 {
-    for (const core::SubFaceMetrics& s : geometry.sub_faces) flux.along(s.axis)[s.face] = aside.along(s.axis)[s.face];
-    for (const core::SubFaceMetrics& s : geometry.sub_faces) {
+    set_sub_faces(geometry, flux, [&](const core::SubFaceMetrics& s, int n) { return factors.sub_faces(n, 0, 0) * s.area.dot(vector); });
+}
+
+void smooth_joined_pressure(const core::BlockGeometry& geometry, const SmoothingStrength& strength, core::VectorView<const double> gradient,
+                            core::FaceView<const double> compact, core::FaceView<double> flux)
+{
+    set_sub_faces(geometry, flux, [&](const core::SubFaceMetrics& s, int n) {
         const double t = s.transmissibility;
         const double diagonal = 1 + 6 * strength.diffusion * t * t / s.area.squaredNorm();
-        const double smoothing = s.area.dot(mean_at(s, gradient)) - gradient_flux_of(s, pressure, gradient);
-        flux.along(s.axis)[s.face] += s.sense * (strength.mobility / diagonal * smoothing);
-    }
+        const double smoothing = s.area.dot(mean_at(s, gradient)) - compact.sub_faces(n, 0, 0);
+        return flux.sub_faces(n, 0, 0) + strength.mobility / diagonal * smoothing;
+    });
 }
 
 } // namespace physics

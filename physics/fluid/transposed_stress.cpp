@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "physics/fluid/transposed_stress.hpp"
 #include "physics/fluid/side_faces.hpp"
+#include "physics/fluid/sub_face_flux.hpp"
 
 namespace physics {
 namespace {
@@ -44,6 +45,8 @@ void add_transposed_stress(const TransposedStress& stress, double time, core::Fa
 {
     for (int c = 0; c < 3; ++c) {
         for (int axis = 0; axis < 3; ++axis) flux_along(stress, axis, c, scratch.along(axis));
+        const auto& g = stress.gradients;
+        sub_face_scaled_flux(stress.geometry, {g[0].component(c), g[1].component(c), g[2].component(c)}, stress.ratio, 1, scratch);
         for (const core::Side side : core::all_sides)
             if (stress.walls.at(side).kind)
                 for_each_side_face(stress.geometry.cells, side,

@@ -3,6 +3,7 @@
 #include "physics/fluid/turbulence.hpp"
 #include "physics/fluid/cell_loops.hpp"
 #include "physics/fluid/side_faces.hpp"
+#include "physics/fluid/sub_face_flux.hpp"
 
 namespace physics {
 namespace {
@@ -66,6 +67,8 @@ void viscosity_on_faces(const core::BlockGeometry& geometry, const BlockWalls& s
                         core::FaceView<double> ratio)
 {
     for (int axis = 0; axis < 3; ++axis) ratio_along(geometry.face[std::size_t(axis)], axis, viscosity, eddy, ratio.along(axis));
+    combine_at_sub_faces(geometry, eddy, ratio,
+                         [viscosity](double a, double b, double w) { return 1 + (w * b + (1 - w) * a) / viscosity; });
     for (const core::Side side : core::all_sides)
         if (sides.at(side).kind)
             for_each_side_face(geometry.cells, side, [&](int i, int j, int m) {

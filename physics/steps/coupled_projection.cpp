@@ -6,6 +6,7 @@
 #include "physics/fluid/cell_loops.hpp"
 #include "physics/fluid/flux_memory.hpp"
 #include "physics/fluid/projection.hpp"
+#include "physics/fluid/sub_face_flux.hpp"
 #include "physics/steps/coupled_step.hpp"
 
 namespace physics {
@@ -124,7 +125,8 @@ void CoupledStep::declare_predictor(tasks::StageGraph& graph, core::FieldBatch<g
         },
         reads(taken, clock_), writes(f.response, f.mobility));
     graph.each_block(
-        "mobility on faces", [](LocalBlock, View<const double> mobility, FaceView<double> faces) { face_mobility(mobility, faces); },
+        "mobility on faces",
+        [this](LocalBlock b, View<const double> mobility, FaceView<double> faces) { face_mobility(geometry(b), mobility, faces); },
         reads(beside(f.mobility)), writes(face_mobility_));
 }
 
@@ -146,11 +148,12 @@ void CoupledStep::declare_volume_flux(tasks::StageGraph& graph, core::FieldBatch
         "known pressure on faces",
         [this](LocalBlock b, View<const double> p, Vectors gp, View<const double> known, FaceView<const double> remembered,
                const FluidClock& clock, FaceView<double> known_faces, FaceView<double> scratch, FaceView<double> flux) {
-            face_mobility(known, known_faces);
+            face_mobility(geometry(b), known, known_faces);
             gradient_flux(geometry(b), p, gp, scratch);
             close_walls(fluid_.walls()[std::size_t(b)], scratch);
             map_faces(
                 flux, [](double q, double m, double s) { return q - m * s; }, flux, known_faces, scratch);
+            sum_sub_faces(geometry(b), flux);
             add_remembered(clock.memory(), remembered, flux);
         },
         reads(beside(state.pressure), beside(fluid.pressure_gradient), beside(f.known_mobility), fluid.remembered_flux, clock_),
@@ -183,6 +186,7 @@ void CoupledStep::declare_projection(tasks::StageGraph& graph)
             close_walls(fluid_.walls()[std::size_t(b)], scratch);
             map_faces(
                 flux, [](double q, double m, double s) { return q - m * s; }, predicted, mobility, scratch);
+            sum_sub_faces(geometry(b), flux);
         },
         reads(beside(fluid.psi), beside(fluid.psi_gradient), face_mobility_, fluid.predicted_flux),
         writes(fluid.face_scratch, fluid_.state().flux));

@@ -4,6 +4,7 @@
 #include "physics/fluid/boundary_halo.hpp"
 #include "physics/fluid/cell_loops.hpp"
 #include "physics/fluid/face_flux.hpp"
+#include "physics/fluid/sub_face_flux.hpp"
 
 namespace physics {
 
@@ -29,6 +30,7 @@ void uniform_flux(const core::BlockGeometry& geometry, const core::Vec3& vector,
             [&](double m, double x, double y, double z) { return m * (vector.x() * x + vector.y() * y + vector.z() * z); },
             mobility.along(axis), face.area_x.view(), face.area_y.view(), face.area_z.view());
     }
+    sub_face_uniform_flux(geometry, vector, mobility, flux);
 }
 
 } // namespace

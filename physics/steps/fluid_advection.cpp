@@ -120,17 +120,11 @@ void FluidStep::declare_sub_face_momentum(tasks::StageGraph& graph)
 {
     auto& f = fields_;
     graph.each_block(
-        "flux beyond velocity in the middle of the step",
-        [this](LocalBlock b, FaceView<const double> flux, Vectors middle, VectorView<double> beyond) {
-            flux_beyond_interpolated(geometry(b), flux, middle, beyond);
-        },
-        reads(f.middle_flux, beside(f.middle)), writes(f.beyond_middle));
-    graph.each_block(
         "advect velocity through sub-faces",
-        [this](LocalBlock b, Vectors middle, Vectors beyond, const FluidClock& clock, VectorView<double> advected) {
-            carry_through_sub_faces(geometry(b), clock.dt, middle, beyond, advected);
+        [this](LocalBlock b, FaceView<const double> flux, Vectors middle, const FluidClock& clock, VectorView<double> advected) {
+            carry_through_sub_faces(geometry(b), clock.dt, flux, middle, advected);
         },
-        reads(beside(f.middle), beside(f.beyond_middle), clock_), updates(f.advected));
+        reads(f.middle_flux, beside(f.middle), clock_), updates(f.advected));
 }
 
 } // namespace physics

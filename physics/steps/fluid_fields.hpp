@@ -20,7 +20,6 @@ struct FluidFields {
           displacement({"displacement", "cells", 0, false}, mesh.own_cells()),
           middle_flux({"volume flux in the middle of the step", "m3/s", 0, false}, mesh.own_cells()),
           middle({"velocity in the middle of the step", "m/s", 1, false, true}, mesh.own_cells()),
-          beyond_middle({"flux beyond that velocity", "m/s", 1, false}, mesh.own_cells()),
           advected({"advected velocity", "m/s", 0, false}, mesh.own_cells()),
           predicted({"predicted velocity", "m/s", 1, false, true}, mesh.own_cells()),
           viscous_change({"viscous change of velocity", "m/s", 0, false}, mesh.own_cells()),
@@ -44,7 +43,6 @@ struct FluidFields {
     core::VectorField index_velocity, displacement;
     core::FaceField middle_flux;      ///< what carries in finite volumes
     core::VectorField middle;         ///< what they carry, in the centres of cells
-    core::VectorField beyond_middle;  ///< what middle_flux has beyond it beside sub-faces (sub_face_momentum.hpp)
     core::VectorField advected;       ///< source at the departure points, or after its fluxes
     core::VectorField predicted;      ///< before the projection
     core::VectorField viscous_change; ///< by implicit viscosity: a guess, then what it came to

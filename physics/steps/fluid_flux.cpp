@@ -4,6 +4,7 @@
 #include "physics/fluid/boundary_halo.hpp"
 #include "physics/fluid/cell_loops.hpp"
 #include "physics/fluid/face_flux.hpp"
+#include "physics/fluid/sub_face_flux.hpp"
 
 namespace physics {
 
@@ -18,7 +19,7 @@ FluidFlux::FluidFlux(const core::Mesh& mesh, FluidStep& fluid, CoupledStep* coup
       carried_(carried),
       mean_({"flux that carries " + carried, "m3/s", 0, false}, mesh.own_cells()),
       scratch_({"flux of grains beside " + carried, "m3/s", 0, false}, mesh.own_cells()),
-      solid_({"flux density of grains beside " + carried, "m/s", 1, false}, mesh.own_cells())
+      solid_({"flux density of grains beside " + carried, "m/s", 1, false, true}, mesh.own_cells())
 {
 }
 
@@ -110,7 +111,7 @@ void FluidFlux::declare_shares(tasks::StageGraph& graph, core::ScalarField& out)
             writes(out));
 }
 
-void mean_on_faces(core::View<const double> q, core::FaceView<double> faces)
+void mean_on_faces(const core::BlockGeometry& geometry, core::View<const double> q, core::FaceView<double> faces)
 {
     for (int axis = 0; axis < 3; ++axis) {
         const auto out = faces.along(axis);
@@ -124,6 +125,7 @@ void mean_on_faces(core::View<const double> q, core::FaceView<double> faces)
                 for (int i = 0; i < n.ni; ++i) f[i] = 0.5 * (v[i] + v[i - back]);
             }
     }
+    combine_at_sub_faces(geometry, q, faces, [](double a, double b, double) { return 0.5 * (a + b); });
 }
 
 } // namespace physics

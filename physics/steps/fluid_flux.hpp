@@ -42,6 +42,6 @@ private:
 
 /// Mean of the two cells of each face.
 /// @param q  One halo layer.
-void mean_on_faces(core::View<const double> q, core::FaceView<double> faces);
+void mean_on_faces(const core::BlockGeometry& geometry, core::View<const double> q, core::FaceView<double> faces);
 
 } // namespace physics

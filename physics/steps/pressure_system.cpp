@@ -31,7 +31,9 @@ tasks::Job PressureSystem::load(tasks::Lane& lane)
     loaded_ = false;
     unknown_.for_blocks(lane, [&](core::LocalBlock b) {
         transmissibility(context_.mesh.geometry(b), coefficients_.on(b));
-        if (mobility_) scale_by_mobility(mobility_->on(b), coefficients_.on(b));
+        if (mobility_)
+            map_faces(
+                coefficients_.on(b), [](double t, double m) { return t * m; }, coefficients_.on(b), mobility_->on(b));
     });
     for (std::size_t n = 0; n < link_faces_.size(); ++n) {
         const LinkFace& at = link_faces_[n];
@@ -45,7 +47,7 @@ tasks::Job PressureSystem::apply(tasks::Lane& lane, std::span<const double> in, 
 {
     co_await unknown_.form_fluxes(lane, std::nullopt, in);
     unknown_.for_blocks(lane, [&](core::LocalBlock b) {
-        if (mobility_) scale_by_mobility(mobility_->on(b), unknown_.flux.on(b));
+        if (mobility_) scale_by_mobility(context_.mesh.geometry(b), mobility_->on(b), unknown_.flux.on(b));
         const auto outflow = solver_.layout().view(b, out);
         net_outflow(unknown_.flux.on(b), outflow);
         map_cells(
@@ -87,7 +89,7 @@ tasks::Job PressureSystem::take_off(tasks::Lane& lane, const core::ScalarField& 
     });
     co_await unknown_.form_fluxes(lane, std::nullopt, solution_);
     unknown_.for_blocks(lane, [&](core::LocalBlock b) {
-        if (mobility_) scale_by_mobility(mobility_->on(b), unknown_.flux.on(b));
+        if (mobility_) scale_by_mobility(context_.mesh.geometry(b), mobility_->on(b), unknown_.flux.on(b));
         map_faces(
             flux.on(b), [](double f, double g) { return f - g; }, flux.on(b), unknown_.flux.on(b));
     });

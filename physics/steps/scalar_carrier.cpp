@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #include "physics/steps/scalar_carrier.hpp"
-#include "core/base/error.hpp"
 #include "physics/fluid/advection_lcsi.hpp"
 #include "physics/fluid/cell_loops.hpp"
 #include "physics/fluid/face_flux.hpp"
@@ -32,8 +31,6 @@ ScalarCarrier::ScalarCarrier(const SystemContext& context)
       upwind_(scratch("upwind flux of a scalar", 0), context.mesh.own_cells()),
       added_(scratch("added flux of a scalar", 0), context.mesh.own_cells())
 {
-    core::require<core::ConfigError>(context.mesh.topology().joints.interfaces.empty(),
-                                     "scalars and turbulence cannot cross sides of blocks whose points do not match yet: let them match");
     for (const core::BlockId b : context.mesh.own()) centres_.push_back(face_centres(context.mesh.vertices(b)));
     for (core::VectorField* field : {&velocity_, &gradient_}) field->allocate();
     for (core::ScalarField* field : {&half_, &gain_, &loss_, &next_share_, &capacity_, &low_, &net_}) field->allocate();
@@ -57,7 +54,7 @@ void set_entering(const BlockWalls& walls, const EntryValues& entering, core::Vi
 tasks::Job ScalarCarrier::count_parts(tasks::Lane& lane, const Flow& flow)
 {
     constexpr double most_outflow = 0.8; // of the fluid in a cell; bounds hold to 1
-    for_blocks(lane, [&](core::LocalBlock b) { outflow_of_cells(flow.flux.on(b), net_.on(b)); });
+    for_blocks(lane, [&](core::LocalBlock b) { outflow_of_cells(geometry(b), flow.flux.on(b), net_.on(b)); });
     double rate = 0;
     co_await find_largest_rate(lane, context_.mesh, net_, flow.share, rate);
     parts_ = std::max(1, int(std::ceil(flow.dt * rate / most_outflow)));
@@ -96,7 +93,7 @@ void ScalarCarrier::step_upwind(core::LocalBlock b, const Flow& flow, const Carr
     map_cells(
         low_.on(b), [](double out, double net, double room, double x) { return x - (out - net * x) / room; }, low_.on(b), net_.on(b),
         capacity_.on(b), q);
-    flux_shares(q, low_.on(b), capacity_.on(b), added, gain_.on(b), loss_.on(b));
+    flux_shares(geometry(b), q, low_.on(b), capacity_.on(b), added, gain_.on(b), loss_.on(b));
 }
 
 tasks::Job ScalarCarrier::carry(tasks::Lane& lane, const Flow& flow, double dt, const CarriedScalar& scalar)
@@ -109,7 +106,7 @@ tasks::Job ScalarCarrier::carry(tasks::Lane& lane, const Flow& flow, double dt, 
     co_await context_.halos.fill(lane, &gain_, core::beside);
     co_await context_.halos.fill(lane, &loss_, core::beside);
     for_blocks(lane, [&](core::LocalBlock b) {
-        reduce_fluxes(gain_.on(b), loss_.on(b), added_.on(b));
+        reduce_fluxes(geometry(b), gain_.on(b), loss_.on(b), added_.on(b));
         const auto out = half_.on(b); // no longer needed
         net_outflow(added_.on(b), out);
         map_cells(

@@ -52,8 +52,7 @@ tasks::Job ScalarDiffusion::form_inflow(tasks::Lane& lane, core::ScalarField& q)
         const auto flux = flux_.on(b);
         gradient_flux(geometry(b), q.on(b), gradient_.on(b), flux);
         close_boundaries(context_.walls[std::size_t(b)], flux);
-        map_faces(
-            flux, [](double f, double d) { return f * d; }, flux, equation_->diffusivity.on(b));
+        scale_flux(geometry(b), equation_->diffusivity.on(b), flux);
         net_outflow(flux, inflow_.on(b));
         if (equation_->free)
             map_cells(

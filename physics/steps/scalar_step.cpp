@@ -142,7 +142,7 @@ tasks::Job ScalarStep::agree_with_grains(tasks::Lane& lane, core::FaceField& flu
         const BlockWalls& walls = fluid_.walls()[std::size_t(b)];
         correct_flux(mesh_.geometry(b), walls, a.psi.on(b), a.gradient.on(b), a.scratch.on(b), flux.on(b));
         mirror_even(walls, 1, a.share.on(b));
-        mean_on_faces(a.share.on(b), a.faces.on(b));
+        mean_on_faces(mesh_.geometry(b), a.share.on(b), a.faces.on(b));
     });
 }
 

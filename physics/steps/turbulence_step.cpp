@@ -174,7 +174,7 @@ tasks::Job TurbulenceStep::find_face_shares(tasks::Lane& lane)
     co_await halos_.fill(lane, &share_, core::beside);
     for_blocks(lane, [&](LocalBlock b) {
         mirror_even(sides(b), 1, share_.on(b));
-        mean_on_faces(share_.on(b), face_share_.on(b));
+        mean_on_faces(mesh_.geometry(b), share_.on(b), face_share_.on(b));
     });
 }
 

@@ -54,7 +54,7 @@ tasks::Job ViscositySystem::apply(tasks::Lane& lane, std::span<const double> in,
     co_await unknown_.form_fluxes(lane, component_, in);
     unknown_.for_blocks(lane, [&](core::LocalBlock b) {
         const auto result = layout_.view(b, out);
-        scale_flux(context_.viscosity_factors(b), unknown_.flux.on(b));
+        scale_flux(context_.mesh.geometry(b), context_.viscosity_factors(b), unknown_.flux.on(b));
         net_outflow(unknown_.flux.on(b), result);
         map_cells(
             result, [d = diffusion_](double inflow, double volume, double x) { return volume * x - d * inflow; }, result,
@@ -86,10 +86,11 @@ tasks::Job ViscositySystem::choose_preconditioner(tasks::Lane& lane)
     multigrid_.prepare();
     unknown_.for_blocks(lane, [&](core::LocalBlock b) {
         const auto [factor, shift] = multigrid_.parts(b);
-        for (int axis = 0; axis < 3; ++axis)
-            map_cells(
-                factor.along(axis), [d = diffusion_](double) { return d; }, factor.along(axis));
-        scale_flux(context_.viscosity_factors(b), factor);
+        map_faces(
+            factor, [d = diffusion_](double) { return d; }, factor);
+        if (const auto ratio = context_.viscosity_factors(b))
+            map_faces(
+                factor, [](double f, double r) { return f * r; }, factor, *ratio);
         map_cells(
             shift, [](double volume) { return volume; }, context_.mesh.geometry(b).volume.view());
         add_given_values(b, factor, shift);

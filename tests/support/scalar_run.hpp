@@ -28,6 +28,20 @@ inline void set_flux(const core::Mesh& mesh, const VectorFunction& potential, co
         }
 }
 
+/// Flux of a uniform velocity, through sub-faces too.
+inline void set_uniform_flux(const core::Mesh& mesh, const Vec3& velocity, core::FaceField& flux)
+{
+    for (core::LocalBlock b = 0; b < mesh.own_count(); ++b) {
+        const core::BlockGeometry& geometry = mesh.geometry(b);
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto f = flux.on(b).along(axis);
+            core::for_each_cell(f.extents(), [&](int i, int j, int k) { f(i, j, k) = geometry.area(axis, i, j, k).dot(velocity); });
+        }
+        for (std::size_t n = 0; n < geometry.sub_faces.size(); ++n)
+            flux.on(b).sub_faces(int(n), 0, 0) = geometry.sub_faces[n].area.dot(velocity);
+    }
+}
+
 class ScalarRun {
 public:
     ScalarRun(core::MultiBlock grid, const physics::BoundaryConditions& boundaries = {},
@@ -55,6 +69,11 @@ public:
         for_each_cell([&](core::LocalBlock b, int i, int j, int k) { value().on(b)(i, j, k) = dye(centre(b, i, j, k)); });
         set_flux(mesh_, potential, flux_);
     }
+    void start(const ScalarFunction& dye, const Vec3& velocity)
+    {
+        for_each_cell([&](core::LocalBlock b, int i, int j, int k) { value().on(b)(i, j, k) = dye(centre(b, i, j, k)); });
+        set_uniform_flux(mesh_, velocity, flux_);
+    }
     void carry(double dt)
     {
         const std::vector<physics::EntryValues> none(std::size_t(mesh_.own_count()));
@@ -66,7 +85,8 @@ public:
     void diffuse(double dt, double diffusivity)
     {
         for (core::LocalBlock b = 0; b < mesh_.own_count(); ++b)
-            for (std::size_t a = 0; a < 3; ++a) std::fill(diffusivity_.data(b, a).begin(), diffusivity_.data(b, a).end(), diffusivity);
+            for (std::size_t a = 0; a < diffusivity_.arrays; ++a)
+                std::fill(diffusivity_.data(b, a).begin(), diffusivity_.data(b, a).end(), diffusivity);
         for_each_cell([&](core::LocalBlock b, int i, int j, int k) { source_.on(b)(i, j, k) = value().on(b)(i, j, k); });
         tasks::run(ranks_, core::SerialTeam(), [&](tasks::Lane& lane) {
             return diffusion_.solve(lane, {diffusivity_, set_.share, source_, dt}, value());

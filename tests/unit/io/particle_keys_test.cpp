@@ -57,6 +57,19 @@ TEST_CASE("a volume fraction becomes a count: of the domain, of a cylinder, of a
     CHECK(problem_of(species("volume_fraction: 0.5, count: 10, diameter: 2 mm")) == "4:38 'volume_fraction' excludes 'count'");
 }
 
+TEST_CASE("one particle finds its place at any point, two need room, also across a seam")
+{
+    const std::string point = "initial: { low: [0.01 m, 0.02 m, 0.03 m], high: [0.01 m, 0.02 m, 0.03 m] }";
+    CHECK(problem_of(species("count: 1, diameter: 20 mm, " + point)) == "");
+    CHECK(problem_of(species("count: 2, diameter: 20 mm, " + point)).starts_with("4:23 the particles would fill 105 % of their region"));
+}
+
+TEST_CASE("contacts far from the origin would be lost in round-off")
+{
+    CHECK(problem_of(with("0.1 m, 0.2 m, 0.1 m", "1000 km, 0.2 m, 0.1 m", dry)).starts_with("4:37 1e+06 m from the origin"));
+    CHECK(problem_of(with("0.1 m, 0.2 m, 0.1 m", "1 km, 0.2 m, 0.1 m", dry)) == "");
+}
+
 TEST_CASE("a region has one form")
 {
     const auto initial = [](const std::string& keys) { return species("count: 1, diameter: 2 mm, initial: { " + keys + " }"); };

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/random.hpp"
 #include "core/particles/ghosts.hpp"
-#include "core/particles/pair_list.hpp"
+#include "tests/support/listed_pairs.hpp"
 #include <doctest/doctest.h>
 
 #include <set>
@@ -63,12 +63,7 @@ std::vector<core::ParticleSet> with_ghosts(const std::vector<core::Sphere>& all,
 
 std::set<Key> listed(const core::ParticleSet& set, const core::LevelBins& bins)
 {
-    core::CellLists cells;
-    cells.build(set, bins);
-    core::ContactHistory none;
-    for (int i = 0; i < set.owned; ++i) none.end_row();
-    core::PairList pairs;
-    pairs.build(set, cells, skin, none, core::SerialTeam{});
+    const core::PairList pairs = test::listed_pairs(set, bins, skin);
     std::set<Key> keys;
     for (int c = 0; c < pairs.chunks(); ++c)
         for (int p = pairs.chunk_begin[std::size_t(c)]; p < pairs.chunk_begin[std::size_t(c) + 1]; ++p) {

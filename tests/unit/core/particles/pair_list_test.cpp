@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/random.hpp"
 #include "core/particles/near_pairs.hpp"
+#include "tests/support/listed_pairs.hpp"
 #include <doctest/doctest.h>
 
 #include <set>
@@ -52,12 +53,7 @@ void compare(const core::Domain& domain, double small, double large)
     CHECK(sizes.count() == (large > 2 * small ? 2 : 1));
     const auto bins = core::make_level_bins(domain, bounds, sizes, skin, set.owned);
     set.reorder(core::order_by_bin(set, bins.finest()));
-    core::CellLists cells;
-    cells.build(set, bins);
-    core::ContactHistory none;
-    for (int i = 0; i < set.owned; ++i) none.end_row();
-    core::PairList pairs;
-    pairs.build(set, cells, skin, none, core::SerialTeam{});
+    const core::PairList pairs = test::listed_pairs(set, bins, skin);
     core::NearPairs near;
     near.refresh(set, pairs, core::image_shifts(domain), skin - margin, core::SerialTeam{});
     std::set<Key> listed, near_listed;

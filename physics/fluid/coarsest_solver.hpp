@@ -1,29 +1,30 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Direct solution on the coarsest level: sparse L D L^T.
+// Direct solution on the coarsest level of structured blocks.
 #include "physics/fluid/multigrid_level.hpp"
-#include <memory>
+#include "physics/fluid/sparse_factors.hpp"
 
 namespace physics {
 
 class CoarsestSolver {
 public:
     explicit CoarsestSolver(const LevelMesh& mesh);
-    ~CoarsestSolver();
-    CoarsestSolver(CoarsestSolver&&) noexcept;
-    CoarsestSolver& operator=(CoarsestSolver&&) noexcept;
 
-    /// Factorises the matrix of the level. A singular matrix gets the first diagonal entry doubled: the solution of a
-    /// compatible system then differs by a constant, which the null space allows.
+    /// Factorises the matrix of the level.
     /// @throws NumericsError if the factorisation fails.
     void factorise(const MultigridLevel& level, bool singular);
     /// level.solution from level.right.
     void solve(MultigridLevel& level);
 
 private:
-    struct Implementation; // keeps Eigen's sparse headers out of what includes this file
-    std::unique_ptr<Implementation> implementation_;
+    /// Entries of the lower triangle, always in the same order; values may be zero.
+    void fill_entries(const LevelMesh& mesh, const SevenPoint<float>* a);
+
+    SparseFactors factors_;
+    std::vector<int> place_; ///< flat place of each row
+    std::vector<int> row_;   ///< row of each flat place
+    std::vector<MatrixEntry> entries_;
 };
 
 } // namespace physics

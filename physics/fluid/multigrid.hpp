@@ -13,10 +13,18 @@
 
 namespace physics {
 
+/// What coarse levels follow.
+enum class Coarsening {
+    automatic,    ///< the coefficients where neighbours differ so much that the grid would mislead
+    grid,         ///< every second grid line
+    coefficients, ///< aggregates of cells that hold together
+};
+
 struct MultigridOptions {
     int coarsest_cells = 400;     ///< solved directly below this number
     int replicated_cells = 16384; ///< levels of at most this size are computed by every rank: less than a message costs
     Smoother smoother = Smoother::automatic;
+    Coarsening coarsening = Coarsening::automatic;
     double spectrum_ratio = 8.0; ///< the smoother damps the eigenvalues from 2 / ratio to 2
     bool shifted = false;        ///< the operator has a shift
     bool singular = true;        ///< no shift and no wall that holds the unknown
@@ -34,10 +42,17 @@ struct MultigridStep {
         end_resistances,
         coarsen,
         finish_links,
-        factorise, // set-up
+        factorise,
+        join_cells,
+        number_aggregates,
+        tie_aggregates,
+        finish_aggregates, // set-up
         send_resistances,
         send_coefficients,
         send_choices,
+        send_counts,
+        send_parents,
+        send_aggregates,
         send_ports, // set-up, messages
         smooth_from_zero,
         chains_first_from_zero,
@@ -48,6 +63,9 @@ struct MultigridStep {
         share_inside,
         share_over_links, // cycle, down
         coarsest,
+        gather_aggregates,
+        cycle_aggregates,
+        correct_from_aggregates,
         prolong_up,
         smooth_first,
         chains_first, // cycle, up
@@ -55,11 +73,21 @@ struct MultigridStep {
         send_other,
         send_parts,
         send_right,
+        send_aggregate_right,
         send_ends // cycle, messages
     };
     Kind kind;
     int level;
     [[nodiscard]] bool sends() const { return (kind >= Kind::send_resistances && kind <= Kind::send_ports) || kind >= Kind::send_solution; }
+};
+
+/// What coefficients are like, to be agreed on by all ranks: the maximum of each number.
+struct CoefficientRange {
+    double largest = 0.0;
+    double jumps = 0.0; ///< 1 where some neighbouring faces across the same axis differ by more than `sharp`, else 0
+    [[nodiscard]] std::array<double, 2> numbers() const { return {largest, jumps}; }
+    /// Less costs conjugate gradients with the grid's levels at most 100 iterations or so: no more time than to join cells.
+    static constexpr double sharp = 600.0;
 };
 
 class Multigrid {
@@ -80,10 +108,12 @@ public:
 
     /// Coefficients of the finest level, in 64 bits as the Krylov operator uses them; they are scaled before they are
     /// rounded. Run set_up_steps() next.
-    /// @param scale  A power of two that brings the largest coefficient near 1, the same on all ranks.
-    void load(const core::Team& team, const SevenPoint<double>& fine, double scale);
-    [[nodiscard]] std::span<const MultigridStep> set_up_steps() const { return set_up_; }
-    [[nodiscard]] std::span<const MultigridStep> cycle_steps() const { return cycle_; }
+    /// @param range  Of all ranks.
+    void load(const core::Team& team, const SevenPoint<double>& fine, const CoefficientRange& range);
+    [[nodiscard]] std::span<const MultigridStep> set_up_steps() const { return by_coefficients_ ? aggregate_set_up_ : set_up_; }
+    [[nodiscard]] std::span<const MultigridStep> cycle_steps() const { return by_coefficients_ ? aggregate_cycle_ : cycle_; }
+    /// Do coarse levels follow the coefficients, since the last load()?
+    [[nodiscard]] bool by_coefficients() const { return by_coefficients_; }
 
     /// right = residual * scale, rounded to 32 bits.
     void load_right(const core::Team& team, std::span<const double> residual, double scale);
@@ -105,10 +135,15 @@ private:
     }
     void list_set_up();
     void list_cycle();
+    void list_aggregates();
+    /// What smoothers of a level need.
+    void add_smoother_set_up(std::vector<MultigridStep>& steps, int level) const;
     /// Do lines of a level go on, or could they, in blocks of other ranks?
     [[nodiscard]] bool lines_meet_ranks(int level) const;
     /// A part of the smoothing, and what chains of lines add to it.
-    void add_smoothing(MultigridStep::Kind smooth, MultigridStep::Kind chains, int level);
+    void add_smoothing(std::vector<MultigridStep>& steps, MultigridStep::Kind smooth, MultigridStep::Kind chains, int level) const;
+    void smooth_down(std::vector<MultigridStep>& steps, int level) const;
+    void smooth_up(std::vector<MultigridStep>& steps, int level) const;
     void add_if_shared(std::vector<MultigridStep>& steps, MultigridStep::Kind kind, int level) const;
 
     MultigridOptions options_;
@@ -117,12 +152,14 @@ private:
     std::vector<MultigridLevel> levels_;
     std::unique_ptr<CoarsestSolver> coarsest_;
     LevelMessages messages_;
-    std::vector<MultigridStep> set_up_, cycle_;
+    AggregateLevels aggregates_;
+    bool by_coefficients_ = false;
+    std::vector<MultigridStep> set_up_, cycle_, aggregate_set_up_, aggregate_cycle_;
     double coefficient_scale_ = 1.0, right_scale_ = 1.0;
 };
 
-/// Largest coefficient on this rank.
-[[nodiscard]] double largest_coefficient(const LevelMesh& mesh, const SevenPoint<double>& a);
+/// On this rank.
+[[nodiscard]] CoefficientRange coefficient_range(const LevelMesh& mesh, const SevenPoint<double>& a);
 /// The power of two that brings `largest` into [1, 2); 1 for 0.
 [[nodiscard]] double power_of_two_scale(double largest);
 

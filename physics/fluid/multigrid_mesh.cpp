@@ -142,6 +142,7 @@ LevelMesh make_level_mesh(const BlockTopology& topology)
     LevelMesh mesh(BlockLayout(places.ids, places.cells, places.ghosts.size()), topology.links);
     const auto sorted = sorted_halves(topology, places, mesh.layout);
     mesh.half_of.assign(mesh.links.size(), {-1, -1});
+    mesh.halves.reserve(sorted.size());
     for (const auto& s : sorted) {
         const bool is_a = mesh.links[std::size_t(s.half.link)].a == s.own;
         mesh.half_of[std::size_t(s.half.link)][is_a ? 0 : 1] = int(mesh.halves.size());
@@ -158,6 +159,7 @@ LevelMesh make_level_mesh(const BlockTopology& topology)
     }
     mesh.piece_halves.push_back(int(mesh.halves.size()));
     add_runs(sorted, mesh);
+    mesh.runs.shrink_to_fit();
     add_exchanges(topology, places, mesh);
     return mesh;
 }
@@ -184,7 +186,9 @@ BlockTopology coarsened(const BlockTopology& fine, std::vector<CoarseLink>& coar
     std::sort(coarse.links.begin(), coarse.links.end(), before);
     coarse.links.erase(std::unique(coarse.links.begin(), coarse.links.end(), same), coarse.links.end());
     std::erase_if(coarse.links, links_with_itself);
+    coarse.links.shrink_to_fit();
     coarse_link.clear();
+    coarse_link.reserve(parents.size());
     for (std::size_t l = 0; l < parents.size(); ++l) {
         const auto found = std::lower_bound(coarse.links.begin(), coarse.links.end(), parents[l], before);
         const bool exists = found != coarse.links.end() && same(*found, parents[l]);

@@ -41,13 +41,6 @@ void for_content(MultigridLevel& level, LevelMessages::Content content, int owne
         if (level.owner[std::size_t(mesh.links[l].a.block)] == owner) body(level.matrix.link.data() + l, std::size_t(1));
 }
 
-std::size_t content_size(MultigridLevel& level, LevelMessages::Content content, int owner)
-{
-    std::size_t size = 0;
-    for_content(level, content, owner, [&](const float*, std::size_t n) { size += n; });
-    return size;
-}
-
 } // namespace
 
 BlockTopology replicated(const BlockTopology& mine, const core::Communicator& communicator, std::vector<CoarseLink>& coarse_link)
@@ -120,35 +113,70 @@ void LevelMessages::complete_parts(MultigridLevel& level) const
     }
 }
 
-void LevelMessages::start_blocks(MultigridLevel& level, Content content, const core::Communicator& communicator, core::Pending& pending)
+template <class ForContent>
+void LevelMessages::start_to_all(ForContent for_content, const core::Communicator& communicator, core::Pending& pending)
 {
+    constexpr std::size_t word = sizeof(float);
+    const auto size = [&](int rank) {
+        std::size_t sum = 0;
+        for_content(rank, [&](const auto*, std::size_t n) { sum += n; });
+        return sum;
+    };
     const auto ranks = std::size_t(communicator.size()), me = std::size_t(communicator.rank());
     prepare(ranks);
     auto& mine = send_[me];
-    mine.resize(content_size(level, content, int(me)) * sizeof(float));
+    mine.resize(size(int(me)) * word);
     auto* out = mine.data();
-    for_content(level, content, int(me), [&](const float* from, std::size_t count) {
-        std::memcpy(out, from, count * sizeof(float));
-        out += count * sizeof(float);
+    for_content(int(me), [&](const auto* from, std::size_t count) {
+        if (count > 0) std::memcpy(out, from, count * word);
+        out += count * word;
     });
     for (std::size_t r = 0; r < ranks; ++r) {
         if (r == me) continue;
-        receive_[r].resize(content_size(level, content, int(r)));
+        receive_[r].resize(size(int(r)));
         if (!receive_[r].empty()) communicator.receive(std::as_writable_bytes(std::span(receive_[r])), int(r), tag, pending);
         if (!mine.empty()) communicator.send(mine, int(r), tag, pending);
     }
 }
 
-void LevelMessages::complete_blocks(MultigridLevel& level, Content content, const core::Communicator& communicator) const
+template <class ForContent>
+void LevelMessages::complete_from_all(ForContent for_content, const core::Communicator& communicator) const
 {
     for (int r = 0; r < communicator.size(); ++r) {
         if (r == communicator.rank()) continue;
         const float* in = receive_[std::size_t(r)].data();
-        for_content(level, content, r, [&](float* to, std::size_t count) {
-            std::copy_n(in, count, to);
+        for_content(r, [&](auto* to, std::size_t count) {
+            if (count > 0) std::memcpy(to, in, count * sizeof(float));
             in += count;
         });
     }
+}
+
+void LevelMessages::start_blocks(MultigridLevel& level, Content content, const core::Communicator& communicator, core::Pending& pending)
+{
+    start_to_all([&](int rank, auto body) { for_content(level, content, rank, body); }, communicator, pending);
+}
+
+void LevelMessages::complete_blocks(MultigridLevel& level, Content content, const core::Communicator& communicator) const
+{
+    complete_from_all([&](int rank, auto body) { for_content(level, content, rank, body); }, communicator);
+}
+
+void LevelMessages::start_counts(AggregateLevels& levels, const core::Communicator& communicator, core::Pending& pending)
+{
+    communicator.start_max(levels.counts(), pending);
+}
+
+void LevelMessages::start_aggregates(AggregateLevels& levels, AggregateLevels::Content content, const core::Communicator& communicator,
+                                     core::Pending& pending)
+{
+    start_to_all([&](int rank, auto body) { levels.for_content(content, rank, body); }, communicator, pending);
+}
+
+void LevelMessages::complete_aggregates(AggregateLevels& levels, AggregateLevels::Content content,
+                                        const core::Communicator& communicator) const
+{
+    complete_from_all([&](int rank, auto body) { levels.for_content(content, rank, body); }, communicator);
 }
 
 void LevelMessages::start_choices(MultigridLevel& level, const core::Communicator& communicator, core::Pending& pending)

@@ -4,7 +4,7 @@
 // What levels send between ranks: ghosts, values at the ends of links, and the blocks of the first level that every rank
 // holds as a whole.
 #include "core/comm/communicator.hpp"
-#include "physics/fluid/multigrid_level.hpp"
+#include "physics/fluid/aggregate_levels.hpp"
 #include <cstring>
 #include <span>
 #include <vector>
@@ -51,6 +51,12 @@ public:
     void start_blocks(MultigridLevel& level, Content content, const core::Communicator& communicator, core::Pending& pending);
     void complete_blocks(MultigridLevel& level, Content content, const core::Communicator& communicator) const;
 
+    /// What aggregates send: numbers of all blocks, their maximum to be taken; parents of ghosts; and contents of AggregateLevels.
+    void start_counts(AggregateLevels& levels, const core::Communicator& communicator, core::Pending& pending);
+    void start_aggregates(AggregateLevels& levels, AggregateLevels::Content content, const core::Communicator& communicator,
+                          core::Pending& pending);
+    void complete_aggregates(AggregateLevels& levels, AggregateLevels::Content content, const core::Communicator& communicator) const;
+
     /// Which lines the blocks of each rank solve, to all others.
     void start_choices(MultigridLevel& level, const core::Communicator& communicator, core::Pending& pending);
     void complete_choices(MultigridLevel& level) const;
@@ -65,9 +71,15 @@ private:
     template <class Value>
     void start_links(const MultigridLevel& level, const core::Communicator& communicator, core::Pending& pending, Value value);
 
+    /// Sends what for_content(rank, body(pointer, number of words)) passes for this rank to all others, and receives theirs.
+    template <class ForContent>
+    void start_to_all(ForContent for_content, const core::Communicator& communicator, core::Pending& pending);
+    template <class ForContent>
+    void complete_from_all(ForContent for_content, const core::Communicator& communicator) const;
+
     std::vector<std::vector<std::byte>> send_;
-    std::vector<std::vector<float>> receive_;
-    std::vector<double> choices_; ///< four numbers for each block of all ranks
+    std::vector<std::vector<float>> receive_; ///< words of 32 bits, whatever they mean
+    std::vector<double> choices_;             ///< four numbers for each block of all ranks
 };
 
 } // namespace physics

@@ -153,9 +153,8 @@ auto update_second(const ChebyshevWeights& weights, MultigridLevel& level)
 
 ChebyshevWeights chebyshev_weights(double largest, double ratio)
 {
-    const double middle = 0.5 * (largest + largest / ratio), half_width = 0.5 * (largest - largest / ratio);
-    const double rho = half_width / middle, next = 1.0 / (2.0 * middle / half_width - rho);
-    return {float(1.0 / middle), float(next * rho), float(2.0 * next / half_width)};
+    const auto [one, two] = chebyshev_steps<2>(largest, ratio);
+    return {one.gain, two.keep, two.gain};
 }
 
 ChebyshevWeights weights_for_firm_lines() { return {1.0F / 1.5F, 0.0F, 1.0F}; }

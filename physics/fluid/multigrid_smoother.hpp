@@ -7,14 +7,33 @@
 
 namespace physics {
 
-/// Coefficients of the second-degree Chebyshev iteration on [largest / ratio, largest].
+/// A step of the Chebyshev iteration on [largest / ratio, largest]: d = keep d + gain z, x += d; z is the Jacobi correction of the
+/// residual.
+struct ChebyshevStep {
+    float keep, gain;
+};
+/// @source  Saad, Iterative Methods for Sparse Linear Systems (2003), algorithm 12.1.
+template <int Degree>
+[[nodiscard]] std::array<ChebyshevStep, Degree> chebyshev_steps(double largest, double ratio)
+{
+    const double middle = 0.5 * (largest + largest / ratio), half_width = 0.5 * (largest - largest / ratio);
+    double rho = half_width / middle;
+    std::array<ChebyshevStep, Degree> steps{{{0.0F, float(1.0 / middle)}}};
+    for (std::size_t n = 1; n < Degree; ++n) {
+        const double next = 1.0 / (2.0 * middle / half_width - rho);
+        steps[n] = {float(next * rho), float(2.0 * next / half_width)};
+        rho = next;
+    }
+    return steps;
+}
+
+/// Coefficients of the second-degree Chebyshev iteration.
 /// First step: d = first z; second: d = keep d + second z; z is the Jacobi correction of the residual.
 struct ChebyshevWeights {
     float first, keep, second;
 };
 /// @param largest  Bound of the eigenvalues of the Jacobi-preconditioned matrix: 2 holds for every symmetric M-matrix,
 ///                 for points and for lines.
-/// @source  Saad, Iterative Methods for Sparse Linear Systems (2003), algorithm 12.1.
 [[nodiscard]] ChebyshevWeights chebyshev_weights(double largest, double ratio);
 
 /// The second-degree polynomial with one root at 1, (1 - x)(1 - x / 1.5). Where lines are tied a thousand times more firmly along

@@ -32,9 +32,9 @@ void SevenPointSolver::copy(const core::Team& team, const Coefficients& coeffici
 void SevenPointSolver::set_up(const core::Team& team, const Coefficients& coefficients)
 {
     copy(team, coefficients);
-    double largest = largest_coefficient(mesh(), matrix_);
-    communicator_.max(std::span(&largest, 1));
-    load(team, largest);
+    auto range = coefficient_range(mesh(), matrix_).numbers();
+    communicator_.max(range);
+    load(team, {range[0], range[1]});
     run_steps(team, communicator_, multigrid_, multigrid_.set_up_steps());
 }
 

@@ -28,8 +28,8 @@ public:
     /// Copies the coefficients; load() and the set-up of the multigrid come next.
     void copy(const core::Team& team, const Coefficients& coefficients);
     /// Hands the coefficients to the multigrid.
-    /// @param largest  Coefficient of all ranks.
-    void load(const core::Team& team, double largest) { multigrid_.load(team, matrix_, power_of_two_scale(largest)); }
+    /// @param range  Of all ranks.
+    void load(const core::Team& team, const CoefficientRange& range) { multigrid_.load(team, matrix_, range); }
     /// Sizes of right-hand sides, so that they keep their digits in 32 bits.
     /// @param largest  Magnitude of all ranks.
     void expect_right(double largest) { right_scale_ = power_of_two_scale(largest); }

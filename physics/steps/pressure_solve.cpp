@@ -31,13 +31,13 @@ tasks::Job run_steps(tasks::Lane& lane, Multigrid& multigrid, std::span<const Mu
 
 tasks::Job set_up(tasks::Lane& lane, SevenPointSolver& solver, Coefficients coefficients)
 {
-    double largest = 0.0;
+    std::array<double, 2> range{};
     lane.attempt([&] {
         solver.copy(lane.team(), coefficients);
-        largest = largest_coefficient(solver.mesh(), solver.matrix());
+        range = coefficient_range(solver.mesh(), solver.matrix()).numbers();
     });
-    co_await lane.max(std::span(&largest, 1));
-    lane.attempt([&] { solver.load(lane.team(), largest); });
+    co_await lane.max(range);
+    lane.attempt([&] { solver.load(lane.team(), {range[0], range[1]}); });
     co_await run_steps(lane, solver.multigrid(), solver.multigrid().set_up_steps());
 }
 

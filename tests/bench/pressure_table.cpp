@@ -3,6 +3,7 @@
 // The pressure solver on the grids that it must be good at: pressure_table [THREADS] prints iterations to 1e-8, V-cycles, work in
 // products of the equation's own operator, and bytes per cell. Needs 2 GB and a minute.
 #include "core/comm/communicator.hpp"
+#include "tests/support/conduction_jumps.hpp"
 #include "tests/support/conduction_pipe.hpp"
 #include "tests/support/pressure_on_grid.hpp"
 #include "tests/support/processor_time.hpp"
@@ -43,9 +44,10 @@ double matrix_bytes(const physics::SevenPointSolver& solver, double cells)
 }
 
 /// Seven points, by conjugate gradients.
-void run_straight(const core::Team& team, const std::string& name, const test::ConductionProblem& p)
+void run_straight(const core::Team& team, const std::string& name, const test::ConductionProblem& p,
+                  const physics::MultigridOptions& options = {})
 {
-    physics::SevenPointSolver solver(p.topology, {});
+    physics::SevenPointSolver solver(p.topology, options);
     solver.set_up(team, p.coefficients());
     const auto right = test::random_right(solver.layout(), 7);
     std::vector<double> x(solver.layout().size(), 0.0), y = x;
@@ -112,6 +114,15 @@ void bent_grids(const core::Team& team)
         run_bent(team, "slanted by " + std::to_string(int(degrees)) + " degrees", slanted(64, degrees), 0.3);
 }
 
+void jumps(const core::Team& team)
+{
+    print_head("seven points, neighbouring cells differ by 1e5");
+    for (const auto& c : test::jump_cases)
+        for (const auto blocks : {std::array{1, 1, 1}, std::array{2, 2, 4}})
+            run_straight(team, std::string(c.name) + ", blocks: " + std::to_string(blocks[0] * blocks[1] * blocks[2]),
+                         test::jump_problem(c, 64, blocks, 1e-5));
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -119,5 +130,6 @@ int main(int argc, char** argv)
     const core::MpiSession session(argc, argv);
     const auto team = core::make_openmp_team(argc > 1 ? std::stoi(argv[1]) : 1);
     straight_grids(*team);
+    jumps(*team);
     bent_grids(*team);
 }

@@ -71,7 +71,7 @@ boundary
 
 def control(case, solver, step, until, every=1e9):
     write(case, "system/controlDict", "dictionary", f"""application {solver}; startFrom startTime; startTime 0;
-stopAt endTime; endTime {until:.10g}; deltaT {step:.10g}; writeControl runTime; writeInterval {every:.10g}; writeFormat ascii;
+stopAt endTime; endTime {until:.10g}; deltaT {step:.15g}; writeControl runTime; writeInterval {every:.10g}; writeFormat ascii;
 timeFormat general; timePrecision 10; runTimeModifiable no;""")
 
 

@@ -4,7 +4,7 @@
 // The solution on two ranks, against the same solve on one rank, bit by bit.
 #include "core/base/error.hpp"
 #include "physics/steps/pressure_solve.hpp"
-#include "tests/support/conduction_boxes.hpp"
+#include "tests/support/conduction_jumps.hpp"
 #include <cstring>
 #include <doctest/doctest.h>
 
@@ -91,5 +91,17 @@ TEST_CASE("blocks tied at random have the same solution on any number of ranks, 
         const auto p = test::random_blocks(seed, 10.0);
         check_same_bits(p, {.coarsest_cells = 20, .replicated_cells = 60});
         check_same_bits(p, {.coarsest_cells = 20, .replicated_cells = 60, .shifted = true, .singular = false});
+    }
+}
+
+TEST_CASE("coarse levels that follow jumping coefficients have the same bits on any number of ranks")
+{
+    for (const auto& pattern : {test::jump_cases[0], test::jump_cases[5]})
+        check_same_bits(test::jump_problem(pattern, 14, {3, 2, 2}, 1e-5), {});
+    for (unsigned seed = 1; seed <= 2; ++seed) {
+        const auto p = test::random_blocks(seed, 10.0);
+        const physics::MultigridOptions options{.coarsest_cells = 20, .coarsening = physics::Coarsening::coefficients};
+        check_same_bits(p, options);
+        check_same_bits(p, {.coarsest_cells = 20, .coarsening = physics::Coarsening::coefficients, .shifted = true, .singular = false});
     }
 }

@@ -87,7 +87,7 @@ struct CoefficientRange {
     double jumps = 0.0; ///< 1 where some neighbouring faces across the same axis differ by more than `sharp`, else 0
     [[nodiscard]] std::array<double, 2> numbers() const { return {largest, jumps}; }
     /// Less costs conjugate gradients with the grid's levels at most 100 iterations or so: no more time than to join cells.
-    static constexpr double sharp = 600.0;
+    static constexpr double sharp = 300.0;
 };
 
 class Multigrid {

@@ -33,16 +33,15 @@ struct ConductionProblem {
         for (core::BlockId b = 0; b < block; ++b) n += topology.cells[std::size_t(b)].size();
         return n;
     }
-    /// The whole matrix, assembled in the plainest way.
-    [[nodiscard]] Eigen::MatrixXd dense(bool with_shift = false) const
+    /// body(row, column, addend) for the whole matrix, in the plainest way.
+    template <class Body>
+    void for_each_entry(bool with_shift, Body body) const
     {
-        const auto size = Eigen::Index(physics::cell_count(topology));
-        Eigen::MatrixXd a = Eigen::MatrixXd::Zero(size, size);
         const auto couple = [&](Eigen::Index r, Eigen::Index c, double t) {
-            a(r, r) += t;
-            a(c, c) += t;
-            a(r, c) -= t;
-            a(c, r) -= t;
+            body(r, r, t);
+            body(c, c, t);
+            body(r, c, -t);
+            body(c, r, -t);
         };
         for (int b = 0; b < int(topology.cells.size()); ++b) {
             const auto n = topology.cells[std::size_t(b)];
@@ -51,14 +50,20 @@ struct ConductionProblem {
                 if (i > 0) couple(r, r - 1, face.on(b).i(i, j, k));
                 if (j > 0) couple(r, r - n.ni, face.on(b).j(i, j, k));
                 if (k > 0) couple(r, r - n.ni * n.nj, face.on(b).k(i, j, k));
-                if (with_shift) a(r, r) += shift.on(b)(i, j, k);
+                if (with_shift) body(r, r, shift.on(b)(i, j, k));
             });
         }
         for (std::size_t l = 0; l < link.size(); ++l) {
             const auto& [ea, eb] = topology.links[l];
-            if (eb.block == physics::wall_block) a(row(ea.block, ea.cell), row(ea.block, ea.cell)) += link[l];
+            if (eb.block == physics::wall_block) body(row(ea.block, ea.cell), row(ea.block, ea.cell), link[l]);
             else couple(row(ea.block, ea.cell), row(eb.block, eb.cell), link[l]);
         }
+    }
+    [[nodiscard]] Eigen::MatrixXd dense(bool with_shift = false) const
+    {
+        const auto size = Eigen::Index(physics::cell_count(topology));
+        Eigen::MatrixXd a = Eigen::MatrixXd::Zero(size, size);
+        for_each_entry(with_shift, [&](Eigen::Index r, Eigen::Index c, double addend) { a(r, c) += addend; });
         return a;
     }
 };

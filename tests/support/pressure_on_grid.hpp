@@ -13,12 +13,13 @@ namespace test {
 class PressureOnGrid {
 public:
     /// @param wave_length  Of what the sources are along x, beside what is random in them.
-    PressureOnGrid(core::MultiBlock grid, double wave_length)
+    /// @param accuracy     Of solutions: residual over the sources.
+    PressureOnGrid(core::MultiBlock grid, double wave_length, double accuracy = 1e-8)
         : ranks_(core::Communicator::self()),
           mesh_(std::move(grid), 0, 1),
           filler_(mesh_, ranks_),
           walls_(physics::make_walls(mesh_, {})),
-          system_({mesh_, walls_, filler_}, ranks_, tolerances()),
+          system_({mesh_, walls_, filler_}, ranks_, tolerances(accuracy)),
           source_({"source", "m3/s", 0, true}, mesh_.own_cells()),
           through_({"throughput", "m3/s", 0, true}, mesh_.own_cells()),
           pressure_({"pressure", "m2/s", 1, true}, mesh_.own_cells())
@@ -29,26 +30,35 @@ public:
     PressureOnGrid(const PressureOnGrid&) = delete;
     PressureOnGrid& operator=(const PressureOnGrid&) = delete;
 
-    /// Solves to 1e-8 of the sources. An iteration has two V-cycles and two products.
+    /// An iteration has two V-cycles and two products.
     const physics::KrylovReport& solve(const core::Team& team)
     {
         tasks::run(ranks_, team, [&](tasks::Lane& lane) { return system_.solve(lane, {source_, through_}, pressure_); });
         return system_.report();
     }
+    /// Sources, and the pressure of the last solve: block by block.
+    [[nodiscard]] std::vector<double> sources() const { return values_of(source_); }
+    [[nodiscard]] std::vector<double> solution() const { return values_of(pressure_); }
     [[nodiscard]] const core::Mesh& mesh() const { return mesh_; }
     [[nodiscard]] const core::Communicator& ranks() const { return ranks_; }
     [[nodiscard]] physics::PressureSystem& system() { return system_; }
 
 private:
-    static physics::FluidTolerances tolerances()
+    static physics::FluidTolerances tolerances(double accuracy)
     {
         physics::FluidTolerances t;
         t.pressure = 1;
-        t.pressure_change = 1e-8;
+        t.pressure_change = accuracy;
         return t;
     }
+    [[nodiscard]] std::vector<double> values_of(const core::ScalarField& field) const
+    {
+        std::vector<double> values;
+        each([&](core::LocalBlock b, core::Index3 c) { values.push_back(field.on(b)(c.i, c.j, c.k)); });
+        return values;
+    }
     template <class Body>
-    void each(Body body)
+    void each(Body body) const
     {
         for (core::LocalBlock b = 0; b < mesh_.own_count(); ++b)
             core::for_each_cell(mesh_.geometry(b).cells, [&](int i, int j, int k) { body(b, core::Index3{i, j, k}); });

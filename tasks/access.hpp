@@ -65,6 +65,14 @@ template <Resource R>
     return {field, core::beside};
 }
 
+/// reads(hats(u)): the stage samples u at the places of grains.
+template <Resource R>
+[[nodiscard]] WithHalo<R> hats(R& field)
+{
+    static_assert(has_halo<R>, "only a ScalarField or VectorField has a halo");
+    return {field, {1, core::HaloShape::hats}};
+}
+
 namespace detail {
 
 template <Mode M, Resource R>

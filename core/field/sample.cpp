@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/field/sample.hpp"
+#include <algorithm>
 
 namespace core {
 namespace {
@@ -20,7 +21,32 @@ void for_layer_beyond(Extents n, Side side, Use use)
     });
 }
 
+/// Share of the next cell in the value at the face of a cell towards it.
+double share_beyond(const Mesh& mesh, const Location& at, Side side)
+{
+    const int axis = axis_of(side);
+    const bool last = at.cell[axis] == (is_high(side) ? mesh.cells(at.block)[axis] - 1 : 0);
+    if (!last || !mesh.topology().joints.joins(at.block, side)) return 0.5;
+    Index3 face = at.cell;
+    if (is_high(side)) ++face[axis];
+    const double upper = mesh.geometry(mesh.local(at.block)).face[std::size_t(axis)].weight.view()[face];
+    return std::clamp(is_high(side) ? upper : 1 - upper, 0.0, 1.0);
+}
+
 } // namespace
+
+HatStencil hat_stencil(const Mesh& mesh, const Location& at)
+{
+    HatStencil s{mesh.local(at.block), at.cell, {}};
+    for (int m = 0; m < 3; ++m) {
+        const double from_centre = at.xi[m] - 0.5;
+        const bool high = from_centre >= 0;
+        if (!high) s.base[m] -= 1;
+        const double part = 2 * share_beyond(mesh, at, side_of(m, high)) * from_centre;
+        s.part[std::size_t(m)] = high ? part : part + 1;
+    }
+    return s;
+}
 
 void mirror_even(const Mesh& mesh, LocalBlock block, View<double> field)
 {

@@ -8,7 +8,9 @@
 
 namespace core {
 
-/// The eight cell centres round a point and the place among them. The cells may lie in the first halo layer.
+/// The eight cell centres round a point and the place among them: half way at the face between two cells; beside a side without
+/// matching points, where the cells beyond are of another size, as linear interpolation to the face has it. The cells may lie in the
+/// first halo layer.
 struct HatStencil {
     LocalBlock block = -1;
     Index3 base;                ///< lowest of the eight cells
@@ -16,16 +18,7 @@ struct HatStencil {
 };
 
 /// @pre at.block is a block of this rank.
-[[nodiscard]] inline HatStencil hat_stencil(const Mesh& mesh, const Location& at)
-{
-    HatStencil s{mesh.local(at.block), at.cell, {}};
-    for (int m = 0; m < 3; ++m) {
-        const double from_centre = at.xi[m] - 0.5;
-        if (from_centre < 0) s.base[m] -= 1;
-        s.part[std::size_t(m)] = from_centre < 0 ? from_centre + 1 : from_centre;
-    }
-    return s;
-}
+[[nodiscard]] HatStencil hat_stencil(const Mesh& mesh, const Location& at);
 
 /// Calls use(i, j, k, weight) for the eight cells, in a fixed order.
 template <class Use>

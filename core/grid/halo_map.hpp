@@ -26,7 +26,8 @@ struct HaloRow {
 
 enum class HaloShape {
     faces, ///< only cells straight beyond a side
-    full   ///< edges and corners too
+    full,  ///< edges and corners too
+    hats   ///< the same, but beyond sides whose points do not match no weight is negative: for what grains sample and deposit
 };
 
 /// What a stencil reads around a block.
@@ -40,7 +41,7 @@ struct HaloReach {
 /// The cells straight beyond the sides.
 inline constexpr HaloReach beside{1, HaloShape::faces};
 
-/// What covers both.
+/// What covers both. Hats are less accurate: a field has either them or the others.
 [[nodiscard]] constexpr HaloReach joined(HaloReach a, HaloReach b) { return {std::max(a.width, b.width), std::max(a.shape, b.shape)}; }
 
 /// Rows of all halo cells of a block up to `width` layers that have a source, in index order.

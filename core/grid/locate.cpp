@@ -147,11 +147,16 @@ std::optional<Location> Locator::walk(const Vec3& x, Location at, int steps) con
 
 std::optional<Location> Locator::find_beyond_seams(const Vec3& x) const
 {
-    for (const Interface& seam : mesh_->topology().interfaces) {
-        if (seam.shift.isZero(0)) continue;
-        for (const Vec3& image : {Vec3(x + seam.shift), Vec3(x - seam.shift)})
+    const auto through = [&](const Vec3& shift) -> std::optional<Location> {
+        if (shift.isZero(0)) return std::nullopt;
+        for (const Vec3& image : {Vec3(x + shift), Vec3(x - shift)})
             if (auto at = find(image)) return at;
-    }
+        return std::nullopt;
+    };
+    for (const Interface& seam : mesh_->topology().interfaces)
+        if (auto at = through(seam.shift)) return at;
+    for (const SubFaceInterface& seam : mesh_->topology().joints.interfaces)
+        if (auto at = through(seam.contact.shift)) return at;
     return std::nullopt;
 }
 

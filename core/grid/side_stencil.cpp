@@ -34,10 +34,15 @@ struct AxisStencil {
     std::vector<double> weights;
 };
 
-/// Lagrange's interpolation to `x` between the points lowest ... highest, at most two on either side; linear beyond them.
-AxisStencil axis_stencil(double x, int lowest, int highest)
+/// Lagrange's interpolation to `x` between the points lowest ... highest, at most two on either side, as LayerWeights has it.
+AxisStencil axis_stencil(double x, int lowest, int highest, LayerWeights kind)
 {
     if (lowest == highest) return {lowest, {1.0}};
+    if (kind == LayerWeights::linear) {
+        const double within = std::clamp(x, double(lowest), double(highest));
+        const int cell = std::min(int(std::floor(within)), highest - 1);
+        return {cell, {cell + 1 - within, within - cell}};
+    }
     const int cell = std::clamp(int(std::floor(x)), lowest, highest - 1);
     const bool between = x >= lowest && x <= highest;
     const int first = between ? std::max(cell - 1, lowest) : cell, last = between ? std::min(cell + 2, highest) : cell + 1;
@@ -109,17 +114,18 @@ std::vector<HaloSource> product(const Layer& layer, const AxisStencil& p, const 
 
 } // namespace
 
-std::vector<HaloSource> layer_stencil(const Topology& topology, const SidePlace& place, int depth)
+std::vector<HaloSource> layer_stencil(const Topology& topology, const SidePlace& place, int depth, LayerWeights weights)
 {
     const Layer layer(topology, place, depth);
     const double p = place.p - 0.5, q = place.q - 0.5; // centres of cells lie half way between vertices
     const auto inside = [&](int axis, double x) { return std::clamp(int(std::floor(x)), 0, layer.count(axis) - 1); };
     const std::array<int, 2> at{inside(0, p), inside(1, q)};
     if (!layer.cell(at[0], at[1])) return {};
-    auto sources = product(layer, axis_stencil(p, layer.reach(0, -1, at), layer.reach(0, 1, at)),
-                           axis_stencil(q, layer.reach(1, -1, at), layer.reach(1, 1, at)));
+    auto sources = product(layer, axis_stencil(p, layer.reach(0, -1, at), layer.reach(0, 1, at), weights),
+                           axis_stencil(q, layer.reach(1, -1, at), layer.reach(1, 1, at), weights));
     // Round an edge where the blocks beyond have no common corner the stencil stays in the block.
-    if (sources.empty()) sources = product(layer, axis_stencil(p, 0, layer.count(0) - 1), axis_stencil(q, 0, layer.count(1) - 1));
+    if (sources.empty())
+        sources = product(layer, axis_stencil(p, 0, layer.count(0) - 1, weights), axis_stencil(q, 0, layer.count(1) - 1, weights));
     return sources;
 }
 

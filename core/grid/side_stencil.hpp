@@ -6,11 +6,16 @@
 
 namespace core {
 
-/// Cells and weights that interpolate to a place in the layer of cells next to its side (layer 0) or deeper: cubic where two
-/// cells lie on either side along each axis, else of a lower order; linear beyond the last cell. Across sides that match the
-/// stencil goes on in the next block. The weights add up to 1.
+enum class LayerWeights {
+    cubic, ///< where two cells lie on either side along each axis, else of a lower order; linear beyond the last cell
+    linear ///< none of them negative; constant beyond the last cell
+};
+
+/// Cells and weights that interpolate to a place in the layer of cells next to its side (layer 0) or deeper. Across sides that
+/// match the stencil goes on in the next block. The weights add up to 1.
 /// @param place  Its shift becomes that of the sources.
 /// @return None where the block has no such layer, nor a neighbour beyond it with matching points.
-[[nodiscard]] std::vector<HaloSource> layer_stencil(const Topology& topology, const SidePlace& place, int layer);
+[[nodiscard]] std::vector<HaloSource> layer_stencil(const Topology& topology, const SidePlace& place, int layer,
+                                                    LayerWeights weights = LayerWeights::cubic);
 
 } // namespace core

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/grid/surface.hpp"
 #include "core/grid/hexahedron.hpp"
+#include "core/grid/surface_seams.hpp"
 #include <algorithm>
 #include <numeric>
 
@@ -87,7 +88,9 @@ Surface boundary_surface(const Mesh& mesh, std::span<const std::string> names, d
     for (const Quad& q : quads)
         for (std::size_t n = 0; n < 4; ++n) smallest = std::min(smallest, (q[n] - q[(n + 1) % 4]).norm());
     for (const Vec3& period : mesh.periods()) continue_through(quads, period, margin);
-    return welded(quads, 1e-6 * smallest);
+    Surface surface = welded(quads, 1e-6 * smallest);
+    if (!mesh.topology().joints.interfaces.empty()) close_seams(surface);
+    return surface;
 }
 
 } // namespace core

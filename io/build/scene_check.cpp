@@ -88,9 +88,9 @@ private:
     void check_company()
     {
         const bool particles = !scene_.particles.empty() || locations_.given("particles");
-        if (particles && locations_.good("grid") && !scene_.grid.is_primitive())
-            complain("particles", fmt::format("particles cannot be placed in grid.{} yet", scene_.grid.shape()),
-                     "use grid.pipe or grid.box");
+        if (particles && scene_.contact && scene_.contact->walls == WallShape::primitive && !scene_.grid.is_primitive())
+            complain("contact.walls", fmt::format("grid.{} is neither the exact pipe nor the exact box", scene_.grid.shape()),
+                     "write walls: faces");
         if (particles && !scene_.contact) complain("particles", "particles need 'contact'", "add contact: { stiffness: 5 kN/m }");
         if (!particles && scene_.contact) complain("contact", "'contact' does nothing without 'particles'", "remove it, or add particles");
         if (particles && scene_.fluid && scene_.fluid->advection == AdvectionScheme::finite_volume)

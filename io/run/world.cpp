@@ -66,6 +66,7 @@ void World::make_grains()
         if (!scene_.particles[std::size_t(grain.species)].file.empty()) census_.add(grain);
     traffic_.emplace(scene_, domain, std::int64_t(grains.size()));
     grains_.emplace(make_dynamics(scene_, census_, mesh_));
+    if (!scene_.grid.is_primitive()) require_inside(locator_, domain, grains);
     require_clear_of_walls(scene_.walls, grains, *grains_);
     bed_contact_ = bed_contact(scene_, census_, particle_parameters(scene_));
     contact_step_ = grains_->step();

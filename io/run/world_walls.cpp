@@ -93,6 +93,23 @@ physics::WallSurface grid_surface(double largest, const core::Mesh& mesh, const 
     return {surface.vertices, surface.quads, smooth_angle};
 }
 
+void require_inside(const core::Locator& locator, const core::Domain& domain, const std::vector<core::Sphere>& grains)
+{
+    constexpr double reach = 0.9, slack = 0.1; // of the radius: faces cut the arcs of curved walls
+    for (const core::Sphere& grain : grains)
+        core::for_each({-1, -1, -1}, {2, 2, 2}, [&](int i, int j, int k) {
+            const core::Vec3 way(i, j, k);
+            core::Vec3 x = grain.position + reach * grain.radius / std::max(1.0, way.norm()) * way;
+            for (int a = 0; a < 3; ++a) x[a] = domain.wrapped(a, x[a]);
+            x += domain.origin;
+            const auto at = locator.find(x);
+            core::require<core::ConfigError>(
+                at && (locator.position(*at) - x).norm() < slack * grain.radius,
+                core::text("particle ", grain.id, " at (", (grain.position + domain.origin).transpose(),
+                           ") m does not lie in the grid as a whole: give the particles a region inside its walls"));
+        });
+}
+
 void require_clear_of_walls(const std::vector<WallKeys>& walls, const std::vector<core::Sphere>& grains,
                             const physics::ParticleDynamics& dynamics)
 {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The walls that the particles of a scene meet.
-#include "core/grid/mesh.hpp"
+#include "core/grid/locate.hpp"
 #include "core/particles/domain.hpp"
 #include "io/scene/scene.hpp"
 #include "physics/particles/dynamics.hpp"
@@ -24,6 +24,9 @@ void add_own_surfaces(const std::vector<WallKeys>& walls, physics::ParticleDynam
 /// The boundary of the mesh, continued through its periods by more than any particle reaches.
 /// @param largest  Diameter of the largest particle [m].
 [[nodiscard]] physics::WallSurface grid_surface(double largest, const core::Mesh& mesh, const core::Domain& domain);
+
+/// @throws core::ConfigError naming a particle that does not lie in cells of the grid as a whole.
+void require_inside(const core::Locator& locator, const core::Domain& domain, const std::vector<core::Sphere>& grains);
 
 /// @throws core::ConfigError for a particle that sticks in a wall of triangles at the start.
 void require_clear_of_walls(const std::vector<WallKeys>& walls, const std::vector<core::Sphere>& grains,

@@ -59,7 +59,7 @@ struct ExchangeFields {
           response({"velocity per force", "m3 s/kg", 0, false}, mesh.own_cells()),
           mobility({"mobility", "m3 s/kg", 1, false}, mesh.own_cells()),
           known_mobility({"mobility of the known pressure", "m3 s/kg", 1, false}, mesh.own_cells()),
-          carried({"volume flux density without pressure", "m/s", 1, false}, mesh.own_cells())
+          carried({"volume flux density without pressure", "m/s", 1, false, true}, mesh.own_cells())
     {
     }
 

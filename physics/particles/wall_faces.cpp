@@ -13,9 +13,27 @@ using core::Vec3;
 
 std::pair<int, int> edge_key(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
 
+/// An edge that one face alone has.
+struct Rim {
+    int face, edge;
+    Vec3 from, to, normal, inward; ///< normal and way into the face of length 1
+};
+
+/// Does the wall go on from one rim in another, straight or round? Chords of the same arc lie apart at their middles.
+bool goes_on(const Rim& rim, const Rim& other, double least_cosine)
+{
+    constexpr double gap = 0.1, beyond = 0.01; // of the lengths of the edges
+    const Vec3 middle = 0.5 * (rim.from + rim.to), along = other.to - other.from;
+    const double longer = std::max((rim.to - rim.from).norm(), along.norm());
+    if ((middle - 0.5 * (other.from + other.to)).squaredNorm() > longer * longer) return false;
+    if (rim.face == other.face || rim.normal.dot(other.normal) < least_cosine || rim.inward.dot(other.inward) > 0) return false;
+    const double share = (middle - other.from).dot(along) / along.squaredNorm();
+    return share > -beyond && share < 1 + beyond && (middle - (other.from + share * along)).norm() < gap * longer;
+}
+
 } // namespace
 
-WallFaces::WallFaces(std::span<const Vec3> vertices, std::span<const std::array<int, 4>> quads, double smooth_angle)
+WallFaces::WallFaces(std::span<const Vec3> vertices, std::span<const std::array<int, 4>> quads, double smooth_angle, Rims rims)
     : vertices_(vertices), quads_(quads)
 {
     for (int f = 0; f < int(quads.size()); ++f) {
@@ -29,6 +47,7 @@ WallFaces::WallFaces(std::span<const Vec3> vertices, std::span<const std::array<
         }
     }
     find_sharp_edges(smooth_angle);
+    if (rims == Rims::go_on) join_rims(smooth_angle);
     find_sharp_corners();
 }
 
@@ -53,6 +72,23 @@ void WallFaces::find_sharp_edges(double smooth_angle)
                 has_length && (other < 0 || normal_[std::size_t(f)].normalized().dot(normal_[std::size_t(other)].normalized()) < least);
         }
     }
+}
+
+void WallFaces::join_rims(double smooth_angle)
+{
+    std::vector<Rim> rims;
+    for (int f = 0; f < int(quads_.size()); ++f)
+        for (int k = 0; k < 4; ++k) {
+            if (!sharp(f, k) || neighbour(f, k) >= 0) continue;
+            const Vec3 from = corner(f, k), to = corner(f, (k + 1) % 4), normal = normal_[std::size_t(f)].normalized();
+            rims.push_back({f, k, from, to, normal, normal.cross(to - from).normalized()});
+        }
+    for (const Rim& rim : rims)
+        for (const Rim& other : rims)
+            if (goes_on(rim, other, std::cos(smooth_angle))) {
+                sharp_[std::size_t(rim.face)][std::size_t(rim.edge)] = false;
+                break;
+            }
 }
 
 void WallFaces::find_sharp_corners()

@@ -11,11 +11,17 @@
 
 namespace physics {
 
+/// What lies beyond an edge that one face alone has.
+enum class Rims {
+    end,  ///< nothing
+    go_on ///< the face of another wall with points of its own, where one lies across; of a closed surface, such as that of a grid
+};
+
 /// Corner k of a face is its k-th vertex; edge k joins corners k and k + 1.
 class WallFaces {
 public:
     /// @throws core::ConfigError for corners that do not exist and faces without area.
-    WallFaces(std::span<const core::Vec3> vertices, std::span<const std::array<int, 4>> quads, double smooth_angle);
+    WallFaces(std::span<const core::Vec3> vertices, std::span<const std::array<int, 4>> quads, double smooth_angle, Rims rims);
 
     [[nodiscard]] core::Vec3 corner(int face, int k) const { return vertices_[std::size_t(vertex(face, k))]; }
     /// Normal of the smooth wall that the face belongs to, at its corner. Of faces with three corners each counts by its angle there
@@ -36,6 +42,7 @@ private:
     [[nodiscard]] double share_at(int face, int centre) const;
     [[nodiscard]] int neighbour(int face, int k) const;
     void find_sharp_edges(double smooth_angle);
+    void join_rims(double smooth_angle);
     void find_sharp_corners();
 
     std::span<const core::Vec3> vertices_;

@@ -27,7 +27,7 @@ std::array<double, 3> weights_of(const PatchPlace<double>& foot) { return {1.0 -
 
 WallSurface::WallSurface(std::span<const Vec3> vertices, std::span<const std::array<int, 4>> quads, double smooth_angle)
 {
-    const WallFaces faces(vertices, quads, smooth_angle);
+    const WallFaces faces(vertices, quads, smooth_angle, Rims::go_on);
     spokes_ = faces.spokes();
     for (int f = 0; f < int(quads.size()); ++f) add_triangles(faces, f);
     fill_bins();
@@ -37,7 +37,7 @@ WallSurface::WallSurface(const TriangleMesh& mesh, double smooth_angle) : two_si
 {
     std::vector<std::array<int, 4>> quads;
     for (const auto& [a, b, c] : mesh.triangles) quads.push_back({a, b, c, c});
-    const WallFaces faces(mesh.vertices, quads, smooth_angle);
+    const WallFaces faces(mesh.vertices, quads, smooth_angle, Rims::end);
     spokes_ = faces.spokes();
     for (int f = 0; f < int(quads.size()); ++f) add_whole(faces, f);
     fill_bins();

@@ -10,7 +10,7 @@
 namespace physics {
 
 using core::LocalBlock, core::VectorView, core::View;
-using tasks::halo, tasks::reads, tasks::updates, tasks::writes;
+using tasks::hats, tasks::reads, tasks::updates, tasks::writes;
 using Vectors = VectorView<const double>;
 
 CoupledStep::CoupledStep(const core::Locator& locator, const core::Communicator& ranks, tasks::HaloFiller& halos, FluidStep& fluid,
@@ -23,7 +23,7 @@ CoupledStep::CoupledStep(const core::Locator& locator, const core::Communicator&
       parameters_(parameters),
       locator_(locator),
       halos_(halos),
-      plan_(mesh_, ranks, 1, 1, core::HaloShape::full),
+      plan_(mesh_, ranks, 1, 1, core::HaloShape::hats),
       fields_(mesh_),
       exchange_(parameters, add_wet_columns(grains.particles), add_exchange_columns(grains.particles, parameters)),
       filter_("filter", make_mesh_links(mesh_, ranks.rank()).topology, parameters.filter_width),
@@ -37,8 +37,6 @@ CoupledStep::CoupledStep(const core::Locator& locator, const core::Communicator&
       kept_("grains at the start"),
       assumed_("assumed grains")
 {
-    core::require<core::ConfigError>(mesh_.topology().joints.interfaces.empty(),
-                                     "grains in blocks whose points do not match where they touch are not computed yet");
     fields_.fraction.allocate();
     fields_.acceleration.allocate();
     fields_.ledger.allocate();
@@ -135,7 +133,7 @@ void CoupledStep::declare_grain_load(tasks::StageGraph& graph)
             exchange_.freeze_drag(grains.particles, table, around, clock.dt);
             exchange_.load(grains.particles, table, drive_of(clock, drive), {clock.dt, grains.step(), 1.0 - clock.memory()});
         },
-        reads(f.told, f.vorticity, halo(f.fraction, 1), clock_, fluid_.drive(), places_, surface_), updates(grains_, holds_));
+        reads(f.told, f.vorticity, hats(f.fraction), clock_, fluid_.drive(), places_, surface_), updates(grains_, holds_));
     graph.whole(
         "keep grains",
         [](tasks::Lane&, const ParticleDynamics& grains, GrainState& kept) {
@@ -162,8 +160,7 @@ void CoupledStep::declare_restart_of_grains(tasks::StageGraph& graph)
             grains.history = kept.history;
             exchange_.load(grains.particles, table, drive_of(clock, drive), {clock.dt, grains.step(), 1.0 - clock.memory()});
         },
-        reads(fields_.told, fields_.vorticity, halo(fields_.fraction, 1), clock_, fluid_.drive(), surface_),
-        updates(kept_, places_, grains_));
+        reads(fields_.told, fields_.vorticity, hats(fields_.fraction), clock_, fluid_.drive(), surface_), updates(kept_, places_, grains_));
 }
 
 GrainSurroundings CoupledStep::surroundings(const GrainPlaces& places, const core::ParticleSet& grains,

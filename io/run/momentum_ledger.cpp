@@ -124,8 +124,9 @@ void MomentumLedger::sum_step(core::LocalBlock b, std::span<double> sum) const
             volume, phi, old_phi, at(advected), at(source), at(before));
         const double stress = !own.viscous.allocated()
                                   ? 0.0
-                                  : physics::sum_cells([push = dt * rho](double v, double s, double a) { return v * s * push * a; }, volume,
-                                                       solid, at(own.viscous.on(b)));
+                                  : physics::sum_cells([push = 0.5 * dt * rho](double v, double s, double old_a,
+                                                                               double a) { return v * s * push * (old_a + a); },
+                                                       volume, solid, at(own.viscous.on(b)), at(f.viscous.on(b)));
         sum[of_share + n] += stress - physics::sum_cells([rho](double v, double s, double uv, double u, double ua,
                                                                double q) { return v * s * rho * (uv - u - (ua - q)); },
                                                          volume, solid, at(after_all), at(before), at(advected), at(source));

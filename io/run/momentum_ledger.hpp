@@ -26,7 +26,7 @@ struct MomentumImpulses {
     core::Vec3 wall_friction = core::Vec3::Zero(); ///< from the viscous fluxes through the walls
     core::Vec3 advection = core::Vec3::Zero();     ///< what interpolation at departure points made or lost, fluid content included
     core::Vec3 gradient = core::Vec3::Zero();      ///< sum of the pressure gradients in cells beyond the walls' push: 0 on uniform grids
-    core::Vec3 viscous_share = core::Vec3::Zero(); ///< viscous stress on grains, that of the old time, beyond their share of the new one
+    core::Vec3 viscous_share = core::Vec3::Zero(); ///< mean viscous stress on grains, beyond their share of the fluid's
     core::Vec3 given = core::Vec3::Zero();         ///< by the fluid to the grains
     core::Vec3 taken = core::Vec3::Zero();         ///< by the grains, and owed to them
     /// Angular impulse of the fluid's torque on the grains [N m s]: the fluid does not lose it.

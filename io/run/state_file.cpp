@@ -60,6 +60,7 @@ std::vector<NamedColumns> columns_of(World& world)
         all.push_back({"owed impulse", columns(at.owed, 3)});
         all.push_back({"told acceleration", columns(at.told, 3)});
         all.push_back({"hold", columns(at.hold, 1)});
+        all.push_back({"drag before", columns(at.drag_before, 1)});
     }
     if (const auto& energy = world.grains()->energy(); energy.kept()) {
         const auto add = [&](const char* name, int column) { all.push_back({name, {&p.columns[std::size_t(column)]}}); };

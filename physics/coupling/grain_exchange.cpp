@@ -28,6 +28,12 @@ ExchangeColumns add_exchange_columns(core::ParticleSet& grains, const CouplingPa
     c.force_used = three();
     c.extra_force = parameters.force == FluidForce::material_derivative ? three() : -1;
     c.drag = grains.add_column();
+    c.drag_before = grains.add_column();
+    c.yield = grains.add_column();
+    c.growth = grains.add_column();
+    c.smooth = grains.add_column();
+    c.velocity_used = three();
+    c.velocity_first = three();
     c.added_mass = grains.add_column();
     c.wake = parameters.own_disturbance ? three() : -1;
     c.history = parameters.history ? grains.add_column() : -1;
@@ -45,7 +51,7 @@ GrainCoupling GrainExchange::coupling_of(const core::ParticleSet& grains, int g,
 {
     const auto k = std::size_t(g);
     return {grains.mass[k], volume_of(grains, g), dt * grains.columns[std::size_t(columns_.drag)][k],
-            grains.columns[std::size_t(columns_.added_mass)][k]};
+            grains.columns[std::size_t(columns_.added_mass)][k], grains.columns[std::size_t(columns_.growth)][k]};
 }
 
 double GrainExchange::drag_rate(const core::ParticleSet& grains, int g, double fraction) const
@@ -96,7 +102,9 @@ void GrainExchange::answer(const core::ParticleSet& grains, const Told& told, Gr
         const GrainResponse p = response_to_velocity(coupling, predictor_yield(hold));
         const GrainResponse q = response_to_pressure(coupling, projection_yield(hold, coupling.drag / coupling.mass));
         const double held = held_drag(p, hold);
-        const core::Vec3 around = impulse + p.added * column(grains, columns_.untold, g) - held * at(told.views, view_velocity, g);
+        const core::Vec3 velocity_told = at(told.views, view_velocity, g);
+        const core::Vec3 around = impulse + p.added * column(grains, columns_.untold, g) - held * velocity_told +
+                                  (p.reaction - p.added) * (velocity_told - column(grains, columns_.velocity_used, g));
         deposits[sum_solid][k] = coupling.volume;
         for (std::size_t a = 0; a < 3; ++a) {
             deposits[sum_flux + a][k] = coupling.volume * velocity[int(a)];
@@ -135,6 +143,8 @@ void GrainExchange::owe(core::ParticleSet& grains, const Told& told, const Grain
         for (int a = 0; a < 3; ++a)
             owed[a] +=
                 owed_impulse({used[a], force_new[a], force_change[a], predictor[a], projection[a], miss[a]}, coupling.volume, p, q, dt);
+        owed += (p.reaction - p.added) * (at(told.views, view_velocity, g) - column(grains, columns_.velocity_used, g));
+        if (parameters_.viscosity > 0) owed += 0.5 * coupling.volume * dt * (at(news, news_stress, g) - at(told.views, view_stress, g));
         put(grains, columns_.owed, g, owed);
         if (columns_.history >= 0) remember(grains, g, dt);
     }

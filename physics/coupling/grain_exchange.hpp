@@ -27,6 +27,11 @@ struct ExchangeColumns {
     int force_used;      ///< B G^n [N/m3]
     int extra_force;     ///< of FluidForce::material_derivative, carried from step to step [N]; -1 without
     int drag;            ///< one column: K [kg/s]
+    int drag_before;     ///< one column: K at the start of the last step, 0 before the first; carried [kg/s]
+    int yield, growth;   ///< one column each: 1 - hold of the last step, share of a change that drag sees (response.hpp) [-]
+    int smooth;          ///< one column: how far what changes in time is extrapolated to the middle of a step, 0 to 1 [-]
+    int velocity_used;   ///< filtered velocity where the sub-steps begin [m/s]
+    int velocity_first;  ///< the same in the first pass, without the grain's own wake [m/s]
     int added_mass;      ///< one column [kg]
     int wake;            ///< what it adds to the velocity it samples (own_disturbance.hpp), carried [m/s]; -1 without
     int history;         ///< the first of history_columns, carried (history_force.hpp); -1 without
@@ -47,6 +52,7 @@ struct GrainSurroundings {
 struct GrainStep {
     double dt;             ///< of the fluid [s]
     double sub_step;       ///< of the grains [s]
+    double before = 0.0;   ///< length of the step before; 0 before the first [s]
     double delivery = 1.0; ///< share of what is owed that is delivered; less than all in steps shorter than those before
 };
 
@@ -72,16 +78,19 @@ public:
                   GrainSurroundings& around) const;
     void remember_wakes(core::ParticleSet& grains, const std::vector<core::Vec3>& wakes) const;
 
+    /// Before anything is taken off: the velocity that a pass tells. @param views  As freeze_drag().
+    void remember_told(core::ParticleSet& grains, const GrainTable& views) const;
+
     /// Step 2: drag coefficients and added masses of all owned grains, for the whole step.
     /// @param views  grain_views columns sampled at the grains.
-    void freeze_drag(core::ParticleSet& grains, const GrainTable& views, const GrainSurroundings& around, double dt) const;
+    void freeze_drag(core::ParticleSet& grains, const GrainTable& views, const GrainSurroundings& around, const GrainStep& step) const;
 
     /// Step 2: loads of all owned grains.
     /// @param drive  Mean acceleration of the fluid by the drive over the step [m/s2].
     void load(core::ParticleSet& grains, const GrainTable& views, const core::Vec3& drive, const GrainStep& step) const;
 
-    /// Before a pass is repeated, when the views are of its own step: nothing need be kept back from held grains, and K
-    /// becomes the mean of what it was and what the new slip asks for.
+    /// Before a pass is repeated, when the views are of its own step: nothing need be kept back from held grains, and where slip relaxes
+    /// fast K becomes the mean of what it was and what the new slip asks for.
     void revise(core::ParticleSet& grains, const GrainTable& views, const GrainSurroundings& around) const;
 
     /// Step 3: what contacts and all else did to each owned grain.
@@ -119,6 +128,7 @@ private:
     /// Of all that is past, mean over the step [N].
     [[nodiscard]] core::Vec3 history(const core::ParticleSet& grains, int g, double dt) const;
     void remember(core::ParticleSet& grains, int g, double dt) const;
+    [[nodiscard]] double relaxation(const core::ParticleSet& grains, int g, double fraction, double impulse_per_slip) const;
     [[nodiscard]] core::Vec3 tell(core::ParticleSet& grains, int g, const core::Vec3& acceleration, double dt) const;
     [[nodiscard]] GrainImpulses impulses_of(const core::ParticleSet& grains, int g) const;
     /// What material_derivative adds to the pressure force, half of it from the step before.

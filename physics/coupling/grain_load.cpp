@@ -9,6 +9,7 @@
 #include "physics/coupling/lift.hpp"
 #include "physics/coupling/own_disturbance.hpp"
 #include "physics/coupling/torque.hpp"
+#include <algorithm>
 
 namespace physics {
 
@@ -76,16 +77,40 @@ std::vector<double> GrainExchange::drags(const core::ParticleSet& grains, const 
     return drag;
 }
 
-void GrainExchange::freeze_drag(core::ParticleSet& grains, const GrainTable& views, const GrainSurroundings& around, double dt) const
+void GrainExchange::remember_told(core::ParticleSet& grains, const GrainTable& views) const
+{
+    for (int g = 0; g < grains.owned; ++g) put(grains, columns_.velocity_used, g, at(views, view_velocity, g));
+}
+
+/// Decay of the slip over a step as an exponent, of fluid and grain together.
+double GrainExchange::relaxation(const core::ParticleSet& grains, int g, double fraction, double impulse_per_slip) const
+{
+    const auto k = std::size_t(g);
+    const double share = std::max(fraction, smallest_closure_fraction);
+    const double loading = grains.mass[k] * (1.0 - share) / (parameters_.fluid_density * volume_of(grains, g) * share);
+    return impulse_per_slip / grains.mass[k] * (1.0 + loading);
+}
+
+void GrainExchange::freeze_drag(core::ParticleSet& grains, const GrainTable& views, const GrainSurroundings& around,
+                                const GrainStep& step) const
 {
     const CouplingParameters& p = parameters_;
     const std::vector<double> drag = drags(grains, views, around);
-    std::copy(drag.begin(), drag.end(), grains.columns[std::size_t(columns_.drag)].begin());
-    auto& mass = grains.columns[std::size_t(columns_.added_mass)];
+    const auto column_of = [&](int column) -> core::Column& { return grains.columns[std::size_t(column)]; };
     for (int g = 0; g < grains.owned; ++g) {
         const auto k = std::size_t(g);
-        mass[k] = added_mass(added_mass_coefficient(p, around.fraction[k]), p.fluid_density, volume_of(grains, g));
-        if (p.history) mass[k] += history_mass(history_factor(2.0 * grains.radius[k], p.fluid_density, p.viscosity), dt);
+        double& mass = column_of(columns_.added_mass)[k];
+        mass = added_mass(added_mass_coefficient(p, around.fraction[k]), p.fluid_density, volume_of(grains, g));
+        if (p.history) mass += history_mass(history_factor(2.0 * grains.radius[k], p.fluid_density, p.viscosity), step.dt);
+        const double decay = relaxation(grains, g, around.fraction[k], step.dt * drag[k]), yield = 1.0 - column_of(columns_.hold)[k];
+        const double smooth = yield * std::max(0.0, 1.0 - decay), before = column_of(columns_.drag_before)[k];
+        const double ahead = before > 0.0 && step.before > 0.0 ? 0.5 * smooth * step.dt / step.before * (drag[k] - before) : 0.0;
+        column_of(columns_.yield)[k] = yield;
+        column_of(columns_.smooth)[k] = smooth;
+        column_of(columns_.growth)[k] = seen_share(growth_share(decay), yield);
+        column_of(columns_.drag)[k] = std::clamp(drag[k] + ahead, 0.5 * drag[k], 2.0 * drag[k]);
+        column_of(columns_.drag_before)[k] = drag[k];
+        put(grains, columns_.velocity_first, g, at(views, view_velocity, g));
     }
 }
 
@@ -95,7 +120,8 @@ void GrainExchange::revise(core::ParticleSet& grains, const GrainTable& views, c
     auto& drag = grains.columns[std::size_t(columns_.drag)];
     for (int g = 0; g < grains.owned; ++g) {
         const auto k = std::size_t(g);
-        drag[k] = 0.5 * (drag[k] + now[k]);
+        const double share = 1.0 - grains.columns[std::size_t(columns_.smooth)][k];
+        drag[k] += 0.5 * share * (now[k] - drag[k]);
         grains.columns[std::size_t(columns_.hold)][k] = 0.0;
     }
 }
@@ -135,13 +161,17 @@ void GrainExchange::load(core::ParticleSet& grains, const GrainTable& views, con
         load.drag = grains.columns[std::size_t(columns_.drag)][k];
         load.added_mass = mass;
         const core::Vec3 acceleration = at(views, view_acceleration, g) + at(views, view_stress, g) / p.fluid_density;
+        const double yield = grains.columns[std::size_t(columns_.yield)][k];
+        const GrainCoupling coupling = coupling_of(grains, g, step.dt);
         load.force = known + mass * tell(grains, g, acceleration, step.dt);
+        load.force += (delivery_factor(coupling, yield) - 1.0) / step.dt * delivered;
         if (p.lift || p.shear_lift) load.force += lift(spin);
         if (p.history) load.force += history(grains, g, step.dt);
         if (p.force == FluidForce::material_derivative)
             load.force +=
                 extra_force(grains, g, p.fluid_density * (at(views, view_acceleration, g) - drive) - at(views, view_pressure_force, g));
-        load.fluid_velocity = fluid;
+        const core::Vec3 first = column(grains, columns_.velocity_first, g);
+        load.fluid_velocity = first + coupling.growth * (fluid - first);
         if (p.torque) {
             load.fluid_spin = 0.5 * vorticity;
             load.spin_drag = torque_factor((spin.spin - load.fluid_spin).norm(), diameter, p.fluid_density, p.viscosity);

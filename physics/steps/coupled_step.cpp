@@ -125,13 +125,15 @@ void CoupledStep::declare_grain_load(tasks::StageGraph& graph)
             GrainTable table = sample(lane.team(), places, std::size_t(grains.particles.owned), told, vorticity);
             GrainSurroundings around = surroundings(places, grains.particles, fraction);
             around.surface = surface;
+            exchange_.remember_told(grains.particles, table);
             if (parameters_.own_disturbance) {
                 const auto wakes = exchange_.wakes(grains.particles, table, around, clock.dt_before);
                 exchange_.remember_wakes(grains.particles, wakes);
                 exchange_.take_off(wakes, grains.particles, table, around);
             }
-            exchange_.freeze_drag(grains.particles, table, around, clock.dt);
-            exchange_.load(grains.particles, table, drive_of(clock, drive), {clock.dt, grains.step(), 1.0 - clock.memory()});
+            const GrainStep step{clock.dt, grains.step(), clock.dt_before, 1.0 - clock.memory()};
+            exchange_.freeze_drag(grains.particles, table, around, step);
+            exchange_.load(grains.particles, table, drive_of(clock, drive), step);
         },
         reads(f.told, f.vorticity, hats(f.fraction), clock_, fluid_.drive(), places_, surface_), updates(grains_, holds_));
     graph.whole(
@@ -153,12 +155,14 @@ void CoupledStep::declare_restart_of_grains(tasks::StageGraph& graph)
             GrainTable table = sample(lane.team(), places, std::size_t(kept.particles.owned), told, vorticity);
             GrainSurroundings around = surroundings(places, kept.particles, fraction);
             around.surface = surface;
+            exchange_.remember_told(kept.particles, table);
             if (parameters_.own_disturbance) // of this pass alone: the next step begins with the last that was remembered
                 exchange_.take_off(exchange_.wakes(kept.particles, table, around, clock.dt), kept.particles, table, around);
             exchange_.revise(kept.particles, table, around);
             grains.particles = kept.particles;
             grains.history = kept.history;
-            exchange_.load(grains.particles, table, drive_of(clock, drive), {clock.dt, grains.step(), 1.0 - clock.memory()});
+            exchange_.load(grains.particles, table, drive_of(clock, drive),
+                           {clock.dt, grains.step(), clock.dt_before, 1.0 - clock.memory()});
         },
         reads(fields_.told, fields_.vorticity, hats(fields_.fraction), clock_, fluid_.drive(), surface_), updates(kept_, places_, grains_));
 }

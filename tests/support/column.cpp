@@ -55,7 +55,7 @@ Column::Column(const ColumnScene& scene) : scene_(scene), cell_(scene.diameter)
         place_.push_back(plate ? bottom_ + d * (0.5 + 1.01 * layer) : layer * height / scene.layers);
     }
     velocity_.assign(count, 0.0);
-    owed_ = drag_ = share_ = velocity_;
+    owed_ = drag_ = share_ = growth_ = velocity_;
     ledger_.assign(n, 0.0);
     force_ = acceleration_ = advected_ = kept_ = ledger_;
     const double diffusion = std::pow(filter_width * d / cell_, 2) / 12.0;
@@ -165,7 +165,7 @@ Column::Pass Column::couple(const Told& told)
     std::vector<GrainResponse> predictor, projection;
     Numbers flux, mistaken;
     for (std::size_t i = 0; i < place_.size(); ++i) {
-        const GrainCoupling grain{mass_, volume_, drag_[i] * scene_.dt, added_};
+        const GrainCoupling grain = coupling_of(i);
         predictor.push_back(response_to_velocity(grain, physics::predictor_yield(known.share[i])));
         projection.push_back(response_to_pressure(grain, physics::projection_yield(known.share[i], grain.drag / mass_)));
         flux.push_back(volume_ * known.velocity[i]);
@@ -205,7 +205,9 @@ void Column::step()
     for (std::size_t i = 0; i < place_.size(); ++i) {
         drag_[i] = scene_.drag * physics::drag_gidaspow_smooth(
                                      {std::abs(u[i] - velocity_[i]), phi[i], scene_.diameter, scene_.density, scene_.viscosity});
-        stiffness_ = std::max(stiffness_, drag_[i] * scene_.dt / mass_);
+        const double stiffness = drag_[i] * scene_.dt / mass_, loading = scene_.density_ratio * (1.0 - phi[i]) / phi[i];
+        stiffness_ = std::max(stiffness_, stiffness);
+        growth_[i] = physics::growth_share(stiffness * (1.0 + loading));
     }
     const Mode asked = scene_.mode;
     if (time_ == 0.0) scene_.mode = Mode::iterated;

@@ -57,6 +57,7 @@ private:
     [[nodiscard]] Numbers sampled(const Numbers& field) const;
     [[nodiscard]] Numbers deposited(const Numbers& quantity) const;
     [[nodiscard]] Numbers filtered(Numbers field) const;
+    [[nodiscard]] physics::GrainCoupling coupling_of(std::size_t i) const;
     void advect();
     [[nodiscard]] Push push_of(const Told& told, double h) const;
     void close(const Push& push, Lane& lane) const;
@@ -75,7 +76,7 @@ private:
     double mass_ = 0.0, volume_ = 0.0, added_ = 0.0, weight_ = 0.0, area_ = 0.0, cell_ = 0.0, bottom_ = 0.0, top_ = 0.0;
     double spring_ = 0.0, damper_ = 0.0, time_ = 0.0, outside_ = 0.0, stiffness_ = 0.0, start_ = 0.0;
     int substeps_ = 1;
-    Numbers place_, velocity_, owed_, drag_, share_;                           // grains
+    Numbers place_, velocity_, owed_, drag_, share_, growth_;                  // grains
     Numbers u_, force_, ledger_, acceleration_, flux_, advected_, kept_, phi_; // cells
     std::vector<std::size_t> low_;                                             // lower cell of each grain
     Numbers high_weight_;

@@ -38,17 +38,21 @@ struct Column::Push {
     Numbers decay, give, drift;
 };
 
+physics::GrainCoupling Column::coupling_of(std::size_t i) const { return {mass_, volume_, drag_[i] * scene_.dt, added_, growth_[i]}; }
+
 Column::Push Column::push_of(const Told& told, double h) const
 {
-    const Numbers acceleration = sampled(told.acceleration), g = sampled(told.force);
+    const Numbers acceleration = sampled(told.acceleration), g = sampled(told.force), first = sampled(u_);
     Push push{sampled(told.velocity), {}, {}, {}, {}, {}};
     const double mass = mass_ + added_;
     for (std::size_t i = 0; i < place_.size(); ++i) {
-        const double x = std::max(drag_[i] * h / mass, 1e-9), u = push.fluid[i];
+        const double x = std::max(drag_[i] * h / mass, 1e-9), yield = 1.0 - share_[i];
+        const physics::GrainCoupling grain = coupling_of(i);
+        const double u = push.fluid[i] = first[i] + (push.fluid[i] - first[i]) * physics::seen_share(grain.growth, yield);
         push.decay.push_back(std::exp(-x));
         push.give.push_back(-std::expm1(-x) / x * h / mass);
         push.known.push_back(weight_ + owed_[i] / scene_.dt + volume_ * g[i]);
-        const double force = push.known[i] + added_ * acceleration[i];
+        const double force = push.known[i] + (delivery_factor(grain, yield) - 1.0) * owed_[i] / scene_.dt + added_ * acceleration[i];
         push.load.push_back(force + drag_[i] * (u - velocity_[i]));
         push.drift.push_back((1.0 - push.decay[i]) * u + push.give[i] * force);
     }

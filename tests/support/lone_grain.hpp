@@ -27,8 +27,9 @@ public:
     void step(double dt)
     {
         const physics::GrainSurroundings around{{fraction}, {}, {}};
-        exchange_.freeze_drag(grains_, views_, around, dt);
-        exchange_.load(grains_, views_, core::Vec3::Zero(), {dt, dt});
+        exchange_.remember_told(grains_, views_);
+        exchange_.freeze_drag(grains_, views_, around, {dt, dt, dt});
+        exchange_.load(grains_, views_, core::Vec3::Zero(), {dt, dt, dt});
         const auto& wet = exchange_.wet_columns();
         for (std::size_t a = 0; a < 3; ++a) {
             double& v = grains_.velocity[a][0];

@@ -57,7 +57,8 @@ OneCell::OneCell(const CellScene& scene) : scene_(scene), random_(scene.seed)
     for (int kind = 0; kind < (two ? 2 : 1); ++kind) {
         Grain grain;
         const double drag = scene.stiffness * s * volume * (kind == 0 ? 1.0 : 3.0);
-        grain.coupling = {s * volume, volume, drag, scene.added_mass * volume};
+        const double growth = physics::growth_share(drag / (s * volume) * (1.0 + scene.loading));
+        grain.coupling = {s * volume, volume, drag, scene.added_mass * volume, growth};
         grains_.push_back(grain);
     }
     u_ = scene.motion == Motion::confined ? scene.flow(0.0) / phi_ : 0.0;
@@ -98,7 +99,9 @@ OneCell::Lane OneCell::advance(const Grain& grain, const Told& told, int substep
     const double decay = std::exp(-x);
     const double give = first_exponential(x) / mass;
     const double force = g.volume * told.force + body_force(grain) + grain.owed / scene_.dt;
-    const double drift = (1.0 - decay) * told.velocity + give * h * (force + g.added_mass * told_to(grain, told));
+    const double yield = 1.0 - grain.share, more = (delivery_factor(g, yield) - 1.0) * grain.owed / scene_.dt;
+    const double seen = u_ + (told.velocity - u_) * physics::seen_share(g.growth, yield);
+    const double drift = (1.0 - decay) * seen + give * h * (force + more + g.added_mass * told_to(grain, told));
     Lane lane{.velocity = grain.velocity, .place = grain.place};
     for (int k = 0; k < substeps; ++k) {
         const double free = decay * lane.velocity + drift;

@@ -42,6 +42,27 @@ TEST_CASE("a grain follows a change of fluid velocity as its equation of motion 
     CHECK(found.added_flux / found.flux == test::relative(added / (drag * dt + added)));
 }
 
+TEST_CASE("a fluid whose velocity grows evenly over the step moves a free grain as the equation of motion says, and what is owed arrives")
+{
+    const double mass = 1.2, volume = 0.2, drag = 0.7, added = 0.1;
+    double v = 0; // (m + a) dv/dt = K (t - v) + a, t from 0 to 1
+    constexpr int parts = 200000;
+    for (int n = 0; n < parts; ++n) {
+        const double at = (n + 0.5) / parts, rate = (drag * (at - v) + added) / (mass + added);
+        v += (drag * (at - v - 0.5 * rate / parts) + added) / (mass + added) / parts;
+    }
+    const physics::GrainCoupling grain{mass, volume, drag, added, physics::growth_share(drag / (mass + added))};
+    CHECK(physics::response_to_velocity(grain, 1.0).flux == test::relative(volume * v).epsilon(1e-8));
+    CHECK(physics::response_to_velocity(grain, 0.0).reaction == drag + added); // held: the whole change
+    for (const double x : {1e-9, 9.99e-3, 1.001e-2, 0.3, 4.0, 50.0}) {
+        const double exact = x < 0.02 ? 0.5 + x / 12 - x * x * x / 720 : 1 / (1 - std::exp(-x)) - 1 / x;
+        CHECK(physics::growth_share(x) == test::relative(exact).epsilon(1e-11));
+    }
+    CHECK(physics::growth_share(1e6) == test::relative(1 - 1e-6).epsilon(1e-12));
+    CHECK((mass + added) * 1.0 == test::relative(mass * physics::delivery_factor(grain, 1.0)).epsilon(1e-14)); // force of a gain of 1
+    CHECK(physics::delivery_factor(grain, 0.0) == 1.0);
+}
+
 TEST_CASE("a held grain takes the full drag and gives no way; a share outside 0..1 is clipped")
 {
     for (const auto response : {physics::response_to_pressure, physics::response_to_velocity}) {

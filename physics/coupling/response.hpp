@@ -52,7 +52,8 @@
 // then step 4 has rho phi (u^a - u_used), hidden is that of u_used, and miss = u_used - u^a - dt Dudt_used; what is owed stays
 // that of state n, where slip relaxes fast K becomes the mean of the last pass's and that of u_used (Newton's method where drag
 // is quadratic); drag sees u^n and the share g of u_used - u^n. The first step of a run:
-// `iterated`. `coarse` takes C, v, J, h of 3-5 from a DEM pass of longer sub-steps, `concurrent` from free flight held back by h of the last step, at the places n: nothing in the fluid lane waits for the grains.
+// `iterated`. `coarse` takes C, v, J, h of 3-5 from a DEM pass of longer sub-steps, `concurrent` from free flight held back by h of
+// the last step, at the places n: nothing in the fluid lane waits for the grains.
 //
 // Soft springs: a held grain that its drag carries along on its springs through the whole step, K / (k dt) > 0.3 with k the stiffness
 // of the bed as a whole, moves with the fluid like a mass on a spring. One pass feeds that sway where b M > 0.5 (mode.cpp): then

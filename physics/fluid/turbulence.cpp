@@ -21,10 +21,11 @@ void ratio_along(const core::FaceMetrics& face, int axis, double viscosity, core
         }
 }
 
-/// Production and dissipation beside walls; of several walls the mean.
 struct WallLayers {
     core::View<double> produced, free;
 };
+
+/// Production and dissipation beside walls; of several walls the mean.
 void set_wall_layers(const BlockWalls& sides, const ModelledWalls& walls, core::VectorView<const double> velocity, TurbulenceCells cells,
                      WallLayers out)
 {

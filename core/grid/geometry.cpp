@@ -64,11 +64,17 @@ void mirror_centres(BlockGeometry& g, const Vertices& v, Side side)
     });
 }
 
+/// Volumes too, which come with the centres.
 void fill_centres(BlockGeometry& g, const MultiBlock& grid, const Topology& topology, BlockId block)
 {
     const Vertices& v = grid.blocks[std::size_t(block)];
     for (auto* array : {&g.centre_x, &g.centre_y, &g.centre_z}) *array = Array3<double>(g.cells, centre_halo, 0.0);
-    for_each_cell(g.cells, [&](int i, int j, int k) { set_centre(g, {i, j, k}, cell_shape(v, {i, j, k}).centroid); });
+    g.volume = Array3<double>(g.cells, 0, 0.0);
+    for_each_cell(g.cells, [&](int i, int j, int k) {
+        const CellShape shape = cell_shape(v, {i, j, k});
+        g.volume(i, j, k) = shape.volume;
+        set_centre(g, {i, j, k}, shape.centroid);
+    });
     for (const HaloRow& row : halo_rows(topology, block, centre_halo, HaloShape::full)) {
         Vec3 x = Vec3::Zero();
         for (const HaloSource& s : row.sources) x += s.weight * (cell_shape(grid.blocks[std::size_t(s.block)], s.cell).centroid - s.shift);
@@ -187,9 +193,7 @@ BlockGeometry make_geometry(const MultiBlock& grid, const Topology& topology, Bl
     const Vertices& v = grid.blocks[std::size_t(block)];
     BlockGeometry g;
     g.cells = topology.cells[std::size_t(block)];
-    g.volume = Array3<double>(g.cells, 0, 0.0);
     g.near_singular = Array3<unsigned char>(g.cells, 0, 0);
-    for_each_cell(g.cells, [&](int i, int j, int k) { g.volume(i, j, k) = cell_shape(v, {i, j, k}).volume; });
     fill_centres(g, grid, topology, block);
     fill_faces(g, topology, v, block);
     bend_faces(g, topology, v, block);

@@ -26,6 +26,9 @@ SideTiling::SideTiling(const Vertices& block, Side side, const Vec3& shift) : np
             c[t[1]] = q;
             vertices_.push_back(block.view()[c] + shift);
         }
+    for (int q = 0; q < nq_; ++q)
+        for (int p = 0; p < np_; ++p)
+            middles_.push_back(0.25 * (vertex(p, q) + vertex(p + 1, q) + vertex(p, q + 1) + vertex(p + 1, q + 1)));
 }
 
 Index3 SideTiling::cell(int p, int q) const
@@ -55,8 +58,7 @@ TilingPlace SideTiling::start(const Vec3& x) const
     double least = std::numeric_limits<double>::infinity();
     const auto look = [&](int p, int q) {
         if (p < 0 || q < 0 || p >= np_ || q >= nq_) return false;
-        const Vec3 middle = 0.25 * (vertex(p, q) + vertex(p + 1, q) + vertex(p, q + 1) + vertex(p + 1, q + 1));
-        const double distance = (middle - x).squaredNorm();
+        const double distance = (middles_[std::size_t(p + np_ * q)] - x).squaredNorm();
         if (distance >= least) return false;
         least = distance;
         best = {p, q};

@@ -46,6 +46,7 @@ private:
     Extents cells_;
     Side side_;
     std::vector<Vec3> vertices_;
+    std::vector<Vec3> middles_; ///< of the faces [m]
 };
 
 /// The two axes of a side, ascending.

@@ -19,9 +19,9 @@ TEST_CASE("in all coupling modes sinking sand in a swinging flow converges with 
     for (const auto& [mode, of] : modes) {
         INFO(mode);
         for (const io::StudyRun* run : of) CHECK(run->warnings.empty()); // no mode was replaced by a safer one
-        // First order from 3 ms to 0.5 ms is a factor of 6.
-        CHECK(of[3]->error.e_2 < of[0]->error.e_2 / 6);
-        // What is left at 0.1 ms is how far the modes differ from each other: it must vanish with the step, a fifth of 0.5 ms.
-        CHECK(of[4]->error.e_2 < 0.2 * of[3]->error.e_2);
+        // From 3 ms to 0.5 ms first order is a factor of 6, second order one of 36; 24 to 31 measured.
+        CHECK(of[3]->error.e_2 < of[0]->error.e_2 / 16);
+        // At 0.1 ms modes differ by no more than what is left of the errors of both, a fifth of those at 0.5 ms: they come to one answer.
+        CHECK(of[4]->error.e_2 < 0.2 * (of[3]->error.e_2 + modes.at("pipelined")[3]->error.e_2));
     }
 }

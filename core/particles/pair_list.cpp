@@ -63,7 +63,7 @@ void PairList::find(const ParticleSet& particles, const CellLists& cells, double
     }
 }
 
-void PairList::hand_over_crossing(const ParticleSet& particles)
+void PairList::hand_over_crossing()
 {
     for (const auto& crossing : crossing_)
         for (const Found& pair : crossing) found_[index_of(std::min(pair.first, pair.second) / particles_per_chunk)].push_back(pair);
@@ -100,7 +100,7 @@ void PairList::build(const ParticleSet& particles, const CellLists& cells, doubl
     const int looking = levels ? (particles.size() + particles_per_chunk - 1) / particles_per_chunk : count;
     crossing_.resize(index_of(looking));
     team.run(looking, [&](int c) { find(particles, cells, skin, c); });
-    if (levels) hand_over_crossing(particles);
+    if (levels) hand_over_crossing();
     chunk_begin.assign(1, 0);
     for (int c = 0; c < count; ++c) chunk_begin.push_back(chunk_begin.back() + int(found_[index_of(c)].size()));
     const auto total = index_of(chunk_begin.back());

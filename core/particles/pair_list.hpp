@@ -38,7 +38,7 @@ private:
         std::uint8_t image;
     };
     void find(const ParticleSet& particles, const CellLists& cells, double skin, int chunk);
-    void hand_over_crossing(const ParticleSet& particles);
+    void hand_over_crossing();
     void copy_chunk(const ParticleSet& particles, const ContactHistory& history, int chunk);
     void build_rows(const ParticleSet& particles, const Team& team);
     std::vector<std::vector<Found>> found_;    // of each chunk of owned particles

@@ -73,13 +73,18 @@ TEST_CASE("every value survives the resolved text")
     scene.fluid->drive->over_time->between = io::BetweenPoints::cubic;
     scene.fluid->drive->over_time->beyond = io::BeyondTable::hold;
     scene.gravity = io::Gravity{core::Vec3(1, 2, -2) / 3.0, 1.62};
-    scene.particles.push_back({.name = "-5", .count = 3, .density = 2500.0});
-    scene.particles[1].sizes = io::SizeKeys{.share_of = physics::ShareOf::number, .sieve = {{1e-3 / 3.0, 0.0}, {2e-3, 1.0}}};
-    scene.particles[1].initial = {.arrangement = io::Arrangement::packed,
-                                  .region = {core::Vec3(0.02, 0.02, 0.02), core::Vec3(0.03, 0.04, 0.05), {}, {}},
-                                  .velocity = core::Vec3(0.0, -0.1, 1e-300),
-                                  .spacing = 0.99,
-                                  .overlaps = io::Overlaps::relax};
+    io::Species& sieved = scene.particles.emplace_back();
+    sieved.name = "-5";
+    sieved.count = 3;
+    sieved.density = 2500.0;
+    sieved.sizes.emplace();
+    sieved.sizes->share_of = physics::ShareOf::number;
+    sieved.sizes->sieve = {{1e-3 / 3.0, 0.0}, {2e-3, 1.0}};
+    sieved.initial = {.arrangement = io::Arrangement::packed,
+                      .region = {core::Vec3(0.02, 0.02, 0.02), core::Vec3(0.03, 0.04, 0.05), {}, {}},
+                      .velocity = core::Vec3(0.0, -0.1, 1e-300),
+                      .spacing = 0.99,
+                      .overlaps = io::Overlaps::relax};
     scene.contact = some_contact();
     scene.coupling = io::Coupling{.mode = io::CouplingMode::iterated,
                                   .filter = {0.003, false},
@@ -94,7 +99,11 @@ TEST_CASE("every value survives the resolved text")
                                   .history = io::Switch::off,
                                   .own_disturbance = io::Switch::on};
     scene.run = {0.5, 2.0, 1e-3, {0.7}, 42, 3600.0};
-    scene.output = {{io::Interval::Clock::steps, 10.0}, {}, {io::Interval::Clock::wall, 60.0}, {}, 5};
+    scene.output.results = {io::Interval::Clock::steps, 10.0};
+    scene.output.pictures = {};
+    scene.output.checkpoint = {io::Interval::Clock::wall, 60.0};
+    scene.output.metrics = {};
+    scene.output.keep_checkpoints = 5;
     scene.solver.tolerance = 1e-11;
     scene.resolve();
     const auto [again, problems] = io::read_scene_text("resolved", io::scene_text(scene));

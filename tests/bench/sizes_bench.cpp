@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a few large spheres among many small ones cost, beside small ones alone:
 //   sizes_bench [small=100000] [large=100] [ratio=20] [fraction=0.45] [steps=300] [speed=0.1]
-// Spheres of 1 mm and of `ratio` mm fill a periodic box at random, fly against each other, and lose a tenth of their speed in a collision.
+// Spheres of 1 mm and of `ratio` mm fill a `fraction` of a periodic box at random, fly against each other, and lose a tenth of their speed in
+// a collision. Those alone fill as much of their box as beside large ones of what these leave: they meet as often.
 #include "core/base/random.hpp"
 #include "physics/particles/advance.hpp"
 #include "physics/particles/insertion.hpp"
@@ -39,7 +40,9 @@ double cost(const Options& options, int large)
 {
     const int small = options.count("small");
     const double ratio = options.given.at("ratio"), each = 4.0 / 3.0 * std::numbers::pi * std::pow(small_radius, 3);
-    const double edge = std::cbrt(each * (small + large * std::pow(ratio, 3)) / options.given.at("fraction"));
+    const double of_large = each * options.count("large") * std::pow(ratio, 3);
+    const double whole = (each * small + of_large) / options.given.at("fraction");
+    const double edge = std::cbrt(large > 0 ? whole : whole - of_large);
     const core::Domain domain{Vec3::Zero(), Vec3::Constant(edge), {true, true, true}};
     auto spheres =
         physics::place_densely(domain, {}, {group_of(large, ratio * small_radius, domain), group_of(small, small_radius, domain)}, 1);

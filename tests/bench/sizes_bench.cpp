@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a few large spheres among many small ones cost, beside small ones alone:
 //   sizes_bench [small=100000] [large=100] [ratio=20] [fraction=0.45] [steps=300] [speed=0.1]
-// Spheres of 1 mm and of `ratio` mm fill a `fraction` of a periodic box at random, fly against each other, and lose a tenth of their speed in
-// a collision. Those alone fill as much of their box as beside large ones of what these leave: they meet as often.
+// Spheres of 1 mm and of `ratio` mm fill a `fraction` of a periodic box at random, fly against each other, and lose a tenth of their
+// speed in a collision. Those alone fill as much of their box as beside large ones of what these leave: they meet as often.
 #include "core/base/random.hpp"
 #include "physics/particles/advance.hpp"
 #include "physics/particles/insertion.hpp"

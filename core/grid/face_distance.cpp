@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/grid/face_distance.hpp"
+#include "core/grid/boundary_faces.hpp"
 
 #include <algorithm>
 
@@ -41,15 +42,7 @@ double distance_to_triangle(const Vec3& x, const Vec3& a, const Vec3& b, const V
 
 FaceDistance::FaceDistance(const Mesh& mesh, std::span<const std::string> names) : shifts_{Vec3::Zero()}
 {
-    for (const Boundary& boundary : mesh.topology().boundaries) {
-        if (std::find(names.begin(), names.end(), boundary.name) == names.end()) continue;
-        const int axis = axis_of(boundary.side);
-        const Extents n = mesh.cells(boundary.block);
-        Index3 low, high{n.ni, n.nj, n.nk};
-        low[axis] = is_high(boundary.side) ? n[axis] : 0;
-        high[axis] = low[axis] + 1;
-        for_each(low, high, [&](int i, int j, int k) { faces_.push_back(face_corners(mesh.vertices(boundary.block), axis, {i, j, k})); });
-    }
+    for_each_boundary_face(mesh, names, [&](const Boundary&, const Quad& face) { faces_.push_back(face); });
     for (const Vec3& period : mesh.periods())
         for (std::size_t n = 0, before = shifts_.size(); n < before; ++n)
             for (const double sense : {-1.0, 1.0}) shifts_.push_back(shifts_[n] + sense * period);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/grid/surface.hpp"
-#include "core/grid/hexahedron.hpp"
+#include "core/grid/boundary_faces.hpp"
 #include "core/grid/surface_seams.hpp"
 #include <algorithm>
 #include <numeric>
@@ -12,19 +12,10 @@ namespace {
 std::vector<Quad> boundary_quads(const Mesh& mesh, std::span<const std::string> names)
 {
     std::vector<Quad> quads;
-    for (const Boundary& boundary : mesh.topology().boundaries) {
-        if (std::find(names.begin(), names.end(), boundary.name) == names.end()) continue;
-        const int axis = axis_of(boundary.side);
-        const Extents n = mesh.cells(boundary.block);
-        Index3 low, high{n.ni, n.nj, n.nk};
-        low[axis] = is_high(boundary.side) ? n[axis] : 0;
-        high[axis] = low[axis] + 1;
-        for_each(low, high, [&](int i, int j, int k) {
-            Quad q = face_corners(mesh.vertices(boundary.block), axis, {i, j, k});
-            if (is_high(boundary.side)) std::swap(q[1], q[3]);
-            quads.push_back(q);
-        });
-    }
+    for_each_boundary_face(mesh, names, [&](const Boundary& boundary, Quad q) {
+        if (is_high(boundary.side)) std::swap(q[1], q[3]);
+        quads.push_back(q);
+    });
     return quads;
 }
 

@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // ctest: ranks=2
 // Grains and fluid across sides of blocks whose points do not match have the same bits on one rank and on two.
-#include "tests/support/coupled_run.hpp"
+#include "tests/support/different_bits.hpp"
 #include "tests/support/joined_scene.hpp"
-#include <map>
 
 TEST_CASE("grains that cross a side whose points do not match do so on two ranks as on one, bit for bit")
 {
@@ -31,20 +30,6 @@ run: { until: 1 s, time_step: 1 ms }
         moved = std::max(moved, std::abs(shared.grains().owned - before));
     }
     CHECK(moved > 0);
-    std::map<std::int64_t, int> row;
-    for (int g = 0; g < alone.grains().owned; ++g) row[alone.grains().id[std::size_t(g)]] = g;
-    int different = 0;
-    for (int g = 0; g < shared.grains().owned; ++g) {
-        const int other = row.at(shared.grains().id[std::size_t(g)]);
-        different += (shared.grains().velocity_of(g) - alone.grains().velocity_of(other)).norm() != 0;
-        different += (shared.grains().position_of(g) - alone.grains().position_of(other)).norm() != 0;
-    }
-    const core::Mesh &mine = shared.world().mesh(), &all = alone.world().mesh();
-    REQUIRE(mine.own_count() == 1);
-    const auto u = shared.world().fluid()->state().velocity.on(0),
-               v = alone.world().fluid()->state().velocity.on(all.local(mine.global(0)));
-    core::for_each_cell(mine.geometry(0).cells, [&](int i, int j, int k) {
-        for (int c = 0; c < 3; ++c) different += u.component(c)(i, j, k) != v.component(c)(i, j, k);
-    });
-    CHECK(different == 0);
+    REQUIRE(shared.world().mesh().own_count() == 1);
+    CHECK(test::different_bits(shared, alone) == 0);
 }

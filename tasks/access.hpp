@@ -53,7 +53,7 @@ struct WithHalo {
 template <Resource R>
 [[nodiscard]] WithHalo<R> halo(R& field, int width)
 {
-    static_assert(has_halo<R>, "only a ScalarField or VectorField has a halo");
+    static_assert(has_halo<R>, "only a ScalarField, VectorField or TensorField has a halo");
     return {field, {width, core::HaloShape::full}};
 }
 
@@ -61,7 +61,7 @@ template <Resource R>
 template <Resource R>
 [[nodiscard]] WithHalo<R> beside(R& field)
 {
-    static_assert(has_halo<R>, "only a ScalarField or VectorField has a halo");
+    static_assert(has_halo<R>, "only a ScalarField, VectorField or TensorField has a halo");
     return {field, core::beside};
 }
 
@@ -69,7 +69,7 @@ template <Resource R>
 template <Resource R>
 [[nodiscard]] WithHalo<R> hats(R& field)
 {
-    static_assert(has_halo<R>, "only a ScalarField or VectorField has a halo");
+    static_assert(has_halo<R>, "only a ScalarField, VectorField or TensorField has a halo");
     return {field, {1, core::HaloShape::hats}};
 }
 

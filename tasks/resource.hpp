@@ -88,10 +88,11 @@ private:
 };
 
 /// A field whose halo can be filled.
-using FieldRef = std::variant<core::ScalarField*, core::VectorField*>;
+using FieldRef = std::variant<core::ScalarField*, core::VectorField*, core::TensorField*>;
 
 template <class R>
-inline constexpr bool has_halo = std::is_same_v<R, core::ScalarField> || std::is_same_v<R, core::VectorField>;
+inline constexpr bool has_halo =
+    std::is_same_v<R, core::ScalarField> || std::is_same_v<R, core::VectorField> || std::is_same_v<R, core::TensorField>;
 
 /// What the graph remembers of a resource, its type forgotten.
 struct ResourceRecord {

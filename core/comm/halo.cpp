@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/comm/halo.hpp"
+#include "core/comm/turned_values.hpp"
 #include "core/grid/sub_face_values.hpp"
 #include <algorithm>
+#include <cassert>
 #include <cstring>
 #include <map>
 
@@ -62,11 +64,24 @@ HaloExchange::HaloExchange(const Mesh& mesh, const Communicator& communicator, i
     find_copies();
 }
 
+int HaloExchange::turn_number(const Motion& motion)
+{
+    if (!motion.turns) return -1;
+    const Mat3 turn = motion.turn.transpose();
+    const auto place = std::find(turns_.begin(), turns_.end(), turn) - turns_.begin();
+    if (place == std::ssize(turns_)) turns_.push_back(turn);
+    return int(place);
+}
+
 void HaloExchange::find_copies()
 {
     std::map<std::pair<LocalBlock, LocalBlock>, Copies> copies;
     for (const Row& row : rows_) {
         const std::span<const Source> sources(sources_.data() + row.first, std::size_t(row.last - row.first));
+        if (std::any_of(sources.begin(), sources.end(), [](const Source& s) { return s.turn >= 0; })) {
+            turned_.push_back(row);
+            continue;
+        }
         if (std::any_of(sources.begin(), sources.end(), [](const Source& s) { return s.rank >= 0; })) {
             arrivals_.push_back(row);
             continue;
@@ -94,14 +109,14 @@ void HaloExchange::request(const Mesh& mesh, const Communicator& communicator, i
         const auto add = [&](const CellPlace& target, std::int64_t element, const std::vector<HaloSource>& row) {
             Row r{target, int(sources_.size()), 0};
             for (const HaloSource& s : row) {
-                const int rank = mesh.owner(s.block);
+                const int rank = mesh.owner(s.block), turn = turn_number(s.motion);
                 if (rank == communicator.rank()) {
                     const CellPlace place{mesh.local(s.block), offset_of(mesh.cells(s.block), field_halo, s.cell)};
-                    sources_.push_back({-1, 0, place, s.weight});
+                    sources_.push_back({-1, turn, 0, place, s.weight});
                     bound.push_back({place, mesh.global(b), element, -1, 0, target, s.weight});
                 } else {
                     auto& list = requests[std::size_t(rank)];
-                    sources_.push_back({rank, std::ptrdiff_t(list.size()), {}, s.weight});
+                    sources_.push_back({rank, turn, std::ptrdiff_t(list.size()), {}, s.weight});
                     list.push_back({s.block, s.cell, mesh.global(b), element, s.weight});
                 }
             }
@@ -174,15 +189,6 @@ void HaloExchange::finish_arrays(const Arrays& arrays, const Flight& flight) con
     const std::size_t count = arrays.count;
     for (const Copies& block : copies_)
         for (std::size_t a = 0; a < count; ++a) block.values.copy(arrays.of(block.source)[a], arrays.of(block.target)[a]);
-    const auto blend = [&](const Row& row, auto value) {
-        const std::span<const Source> sources(sources_.data() + row.first, std::size_t(row.last - row.first));
-        double* const* target = arrays.of(row.target.block);
-        for (std::size_t a = 0; a < count; ++a) {
-            double sum = sources[0].weight * value(sources[0], a);
-            for (const Source& s : sources.subspan(1)) sum += s.weight * value(s, a);
-            target[a][row.target.offset] = sum;
-        }
-    };
     for (const Row& row : blends_) {
         double* const* target = arrays.of(row.target.block);
         const auto term = [&](int n, std::size_t a) {
@@ -195,15 +201,50 @@ void HaloExchange::finish_arrays(const Arrays& arrays, const Flight& flight) con
             target[a][row.target.offset] = sum;
         }
     }
-    const auto here = [&](const Source& s, std::size_t a) { return arrays.of(s.place.block)[a][s.place.offset]; };
-    for (const Row& row : arrivals_)
-        blend(row, [&](const Source& s, std::size_t a) {
-            return s.rank < 0 ? here(s, a) : flight.received[std::size_t(s.rank)][std::size_t(s.slot) * count + a];
-        });
+    for (const Row& row : arrivals_) blend(arrays, flight, row);
+    finish_turned(arrays, flight);
+}
+
+double HaloExchange::value(const Arrays& arrays, const Flight& flight, const Source& source, std::size_t array)
+{
+    return source.rank < 0 ? arrays.of(source.place.block)[array][source.place.offset]
+                           : flight.received[std::size_t(source.rank)][std::size_t(source.slot) * arrays.count + array];
+}
+
+void HaloExchange::blend(const Arrays& arrays, const Flight& flight, const Row& row) const
+{
+    const std::span<const Source> sources(sources_.data() + row.first, std::size_t(row.last - row.first));
+    double* const* target = arrays.of(row.target.block);
+    for (std::size_t a = 0; a < arrays.count; ++a) {
+        double sum = sources[0].weight * value(arrays, flight, sources[0], a);
+        for (const Source& s : sources.subspan(1)) sum += s.weight * value(arrays, flight, s, a);
+        target[a][row.target.offset] = sum;
+    }
+}
+
+void HaloExchange::finish_turned(const Arrays& arrays, const Flight& flight) const
+{
+    const bool is_tensor = arrays.components == Components::tensor;
+    for (const Row& row : turned_) {
+        if (arrays.components == Components::scalars) {
+            blend(arrays, flight, row);
+            continue;
+        }
+        CellValues sum{};
+        for (int n = row.first; n < row.last; ++n) {
+            const Source& s = sources_[std::size_t(n)];
+            CellValues q{};
+            for (std::size_t a = 0; a < arrays.count; ++a) q[a] = value(arrays, flight, s, a);
+            if (s.turn >= 0) q = is_tensor ? turned_tensor(turns_[std::size_t(s.turn)], q) : turned_vector(turns_[std::size_t(s.turn)], q);
+            for (std::size_t a = 0; a < arrays.count; ++a) sum[a] += s.weight * q[a];
+        }
+        for (std::size_t a = 0; a < arrays.count; ++a) arrays.of(row.target.block)[a][row.target.offset] = sum[a];
+    }
 }
 
 void HaloExchange::start_transpose_arrays(const Arrays& arrays, Flight& flight, const Communicator& space) const
 {
+    assert(turns_.empty());
     flight.sent.resize(wanted_there_.size());
     const std::size_t count = arrays.count;
     for (std::size_t r = 0; r < wanted_there_.size(); ++r) flight.sent[r].assign(std::size_t(wanted_there_[r]) * count, 0.0);

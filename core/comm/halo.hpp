@@ -3,7 +3,8 @@
 #pragma once
 // Filling the halos of cell fields, and what they keep behind them, from the blocks beyond: copies inside the rank, one
 // message between each pair of ranks. start() and finish() enclose the waiting, so that a task can do other work meanwhile.
-// The transpose adds what was deposited in halos to the cells that it belongs to.
+// The transpose adds what was deposited in halos to the cells that it belongs to. Vectors and tensors from beyond a seam that
+// turns are turned on their way in; the transpose knows no such seams.
 #include "core/comm/communicator.hpp"
 #include "core/comm/strided_copies.hpp"
 #include "core/field/field.hpp"
@@ -49,6 +50,7 @@ public:
         finish_arrays(arrays_of(field), flight);
     }
     /// The transpose: halo values go home, to be added there in a fixed order; halos are left at zero.
+    /// @pre No seam turns.
     template <std::size_t N>
     void start_transpose(FieldStorage<N>& field, Flight& flight, const Communicator& space) const
     {
@@ -87,11 +89,13 @@ private:
     struct Arrays {
         std::vector<double*> origins;
         std::size_t count = 0; ///< of a block
+        Components components = Components::scalars;
         [[nodiscard]] double* const* of(LocalBlock b) const { return origins.data() + std::size_t(b) * count; }
     };
     /// One source of one halo cell; `slot` counts in the message of `rank`, or `place` on this rank (rank < 0).
     struct Source {
         int rank;
+        int turn; ///< in turns_; -1: none
         std::ptrdiff_t slot;
         CellPlace place;
         double weight;
@@ -109,9 +113,13 @@ private:
     template <std::size_t N>
     static Arrays arrays_of(FieldStorage<N>& field);
     void request(const Mesh& mesh, const Communicator& communicator, int field_halo, int width, HaloShape shape, Behind behind);
+    [[nodiscard]] int turn_number(const Motion& motion);
     void find_copies();
     void start_arrays(const Arrays& arrays, Flight& flight, const Communicator& space) const;
     void finish_arrays(const Arrays& arrays, const Flight& flight) const;
+    void finish_turned(const Arrays& arrays, const Flight& flight) const;
+    [[nodiscard]] static double value(const Arrays& arrays, const Flight& flight, const Source& source, std::size_t array);
+    void blend(const Arrays& arrays, const Flight& flight, const Row& row) const;
     void start_transpose_arrays(const Arrays& arrays, Flight& flight, const Communicator& space) const;
     void finish_transpose_arrays(const Arrays& arrays, const Flight& flight) const;
     void post(Flight& flight, const Communicator& space, bool transpose, std::size_t arrays) const;
@@ -128,6 +136,8 @@ private:
     std::vector<Row> blends_; ///< rows_ with several sources, all on this rank; counted in blend_sources_
     std::vector<BlendSource> blend_sources_;
     std::vector<Row> arrivals_; ///< rows_ with a source on another rank
+    std::vector<Row> turned_;   ///< rows_ with a source whose axes are turned, on whatever rank; in none of the others
+    std::vector<Mat3> turns_;   ///< from the axes of sources to those here
     std::vector<Source> sources_;
     std::vector<std::vector<CellPlace>> wanted_from_here_; ///< [rank]: cells whose values that rank asks for
     std::vector<std::ptrdiff_t> wanted_there_;             ///< [rank]: number of values this rank asks for
@@ -149,7 +159,7 @@ private:
 template <std::size_t N>
 HaloExchange::Arrays HaloExchange::arrays_of(FieldStorage<N>& field)
 {
-    Arrays arrays{{}, N};
+    Arrays arrays{{}, N, field.components()};
     for (std::size_t b = 0; b < field.blocks(); ++b)
         for (std::size_t a = 0; a < N; ++a) arrays.origins.push_back(field.origin(LocalBlock(b), a));
     return arrays;

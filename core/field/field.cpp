@@ -32,7 +32,15 @@ FieldInfo without_halo(FieldInfo info)
 
 ScalarField::ScalarField(FieldInfo info, std::span<const Extents> cells) : FieldStorage(std::move(info), repeat<1>(cells)) {}
 
-VectorField::VectorField(FieldInfo info, std::span<const Extents> cells) : FieldStorage(std::move(info), repeat<3>(cells)) {}
+VectorField::VectorField(FieldInfo info, std::span<const Extents> cells)
+    : FieldStorage(std::move(info), repeat<3>(cells), Components::vector)
+{
+}
+
+TensorField::TensorField(FieldInfo info, std::span<const Extents> cells)
+    : FieldStorage(std::move(info), repeat<9>(cells), Components::tensor)
+{
+}
 
 FaceField::FaceField(FieldInfo info, std::span<const Extents> cells) : FieldStorage(without_halo(std::move(info)), faces(cells)) {}
 

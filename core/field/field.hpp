@@ -32,6 +32,17 @@ struct VectorView {
     operator VectorView<const T>() const requires(!std::is_const_v<T>) { return {x, y, z}; }
 };
 
+/// Gradients of the components of a vector quantity: [c].component(m) is the derivative of component c along axis m.
+template <class T>
+using TensorView = std::array<VectorView<T>, 3>;
+
+/// What the arrays of a field are, for those who see them from axes that are turned.
+enum class Components {
+    scalars, ///< each by itself
+    vector,  ///< the components of a vector
+    tensor   ///< those of a TensorView, one after the other
+};
+
 /// Number of the axis of FaceView along which sub-faces lie.
 inline constexpr int along_sub_faces = 3;
 
@@ -52,6 +63,7 @@ class FieldStorage {
 public:
     [[nodiscard]] std::string_view name() const { return info_.name; }
     [[nodiscard]] const FieldInfo& info() const { return info_; }
+    [[nodiscard]] Components components() const { return components_; }
     [[nodiscard]] bool allocated() const { return !blocks_.empty() || shapes_.empty(); }
     [[nodiscard]] std::size_t bytes() const
     {
@@ -81,13 +93,17 @@ public:
 
 protected:
     using Shape = std::array<Extents, Arrays>;
-    FieldStorage(FieldInfo info, std::vector<Shape> shapes) : info_(std::move(info)), shapes_(std::move(shapes)) {}
+    FieldStorage(FieldInfo info, std::vector<Shape> shapes, Components components = Components::scalars)
+        : info_(std::move(info)), shapes_(std::move(shapes)), components_(components)
+    {
+    }
     [[nodiscard]] auto& block(LocalBlock b) { return blocks_[std::size_t(b)]; }
     [[nodiscard]] const auto& block(LocalBlock b) const { return blocks_[std::size_t(b)]; }
 
 private:
     FieldInfo info_;
     std::vector<Shape> shapes_;
+    Components components_;
     std::vector<std::array<Array3<double>, Arrays>> blocks_;
 };
 
@@ -113,6 +129,22 @@ public:
     {
         const auto& a = block(b);
         return {a[0].view(), a[1].view(), a[2].view()};
+    }
+};
+
+/// The gradient of a Cartesian vector in each cell, stored as nine arrays.
+class TensorField : public FieldStorage<9> {
+public:
+    TensorField(FieldInfo info, std::span<const Extents> cells);
+    [[nodiscard]] TensorView<double> on(LocalBlock b) { return views<double>(block(b)); }
+    [[nodiscard]] TensorView<const double> on(LocalBlock b) const { return views<const double>(block(b)); }
+
+private:
+    template <class T, class Block>
+    static TensorView<T> views(Block& a)
+    {
+        return {
+            {{a[0].view(), a[1].view(), a[2].view()}, {a[3].view(), a[4].view(), a[5].view()}, {a[6].view(), a[7].view(), a[8].view()}}};
     }
 };
 

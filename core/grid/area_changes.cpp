@@ -64,7 +64,7 @@ private:
         const Side side = side_of(there, is_high(bent.side) == (beyond.map.sign[along(normal)] > 0));
         const int last = topology_.cells[std::size_t(beyond.block)][there] - 1;
         if (cell[there] == (is_high(side) ? last : 0) && is_bent(sides_, beyond.block, side)) return;
-        const Vec3 change = double(beyond.map.sign[along(axis)]) * area;
+        const Vec3 change = double(beyond.map.sign[along(axis)]) * beyond.motion.of_vector(area);
         Index3 at = cell;
         if (is_high(beyond.side)) ++at[axis_of(beyond.side)];
         changes_.push_back({beyond.block, axis_of(beyond.side), at, change});

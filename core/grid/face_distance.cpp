@@ -40,12 +40,15 @@ double distance_to_triangle(const Vec3& x, const Vec3& a, const Vec3& b, const V
     return std::min({distance_to_edge(x, a, b), distance_to_edge(x, b, c), distance_to_edge(x, c, a)});
 }
 
-FaceDistance::FaceDistance(const Mesh& mesh, std::span<const std::string> names) : shifts_{Vec3::Zero()}
+FaceDistance::FaceDistance(const Mesh& mesh, std::span<const std::string> names) : images_{Motion()}
 {
     for_each_boundary_face(mesh, names, [&](const Boundary&, const Quad& face) { faces_.push_back(face); });
     for (const Vec3& period : mesh.periods())
-        for (std::size_t n = 0, before = shifts_.size(); n < before; ++n)
-            for (const double sense : {-1.0, 1.0}) shifts_.push_back(shifts_[n] + sense * period);
+        for (std::size_t n = 0, before = images_.size(); n < before; ++n)
+            for (const double sense : {-1.0, 1.0}) images_.push_back(images_[n].then(Motion(sense * period)));
+    if (const auto& turn = mesh.turn())
+        for (std::size_t n = 0, before = images_.size(); n < before; ++n)
+            for (const Motion& m : {turn->motion().inverse(), turn->motion()}) images_.push_back(images_[n].then(m));
     if (!faces_.empty()) build(0, int(faces_.size()));
 }
 
@@ -95,7 +98,7 @@ double FaceDistance::at(const Vec3& x, double enough) const
 {
     double nearest = enough;
     if (nodes_.empty()) return nearest;
-    for (const Vec3& shift : shifts_) search(x + shift, nearest);
+    for (const Motion& image : images_) search(image.of_position(x), nearest);
     return nearest;
 }
 

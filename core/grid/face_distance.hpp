@@ -36,7 +36,7 @@ private:
 
     std::vector<Quad> faces_;
     std::vector<Node> nodes_;
-    std::vector<Vec3> shifts_; ///< by which periods carry a place to its images; the first is none
+    std::vector<Motion> images_; ///< by which periods carry a place to its images; the first is none
 };
 
 } // namespace core

@@ -77,7 +77,8 @@ void fill_centres(BlockGeometry& g, const MultiBlock& grid, const Topology& topo
     });
     for (const HaloRow& row : halo_rows(topology, block, centre_halo, HaloShape::full)) {
         Vec3 x = Vec3::Zero();
-        for (const HaloSource& s : row.sources) x += s.weight * (cell_shape(grid.blocks[std::size_t(s.block)], s.cell).centroid - s.shift);
+        for (const HaloSource& s : row.sources)
+            x += s.weight * s.motion.origin_of(cell_shape(grid.blocks[std::size_t(s.block)], s.cell).centroid);
         set_centre(g, row.cell, x);
         if (!row.round_edge) continue;
         constexpr int reach = centre_halo;

@@ -35,7 +35,7 @@ Way beyond_joined_side(const Topology& topology, const HaloSource& at, Side side
     const auto t = tangential_axes(side);
     const auto& places = topology.joints.places[std::size_t(at.block)][std::size_t(side)];
     SidePlace place = places[std::size_t(at.cell[t[0]] + n[t[0]] * at.cell[t[1]])];
-    place.shift += at.shift;
+    place.motion = at.motion.then(place.motion);
     HaloSource inside = at;
     inside.cell[axis] = is_high(side) ? n[axis] - 1 : 0;
     return joined_layer(topology, inside, place, layers_outside(at.cell[axis], n[axis]) - 1, weights);
@@ -62,16 +62,13 @@ void walk(const Topology& topology, HaloSource at, std::vector<Way>& found, Walk
         if (layers_outside(at.cell[m], n[m]) == 0) continue;
         const Side side = side_of(m, at.cell[m] >= 0);
         const auto& beyond = topology.neighbour(at.block, side);
-        if (beyond) walk(topology, {beyond->block, beyond->map(at.cell), at.shift + beyond->shift, 1}, found, rules);
+        if (beyond) walk(topology, {beyond->block, beyond->map(at.cell), at.motion.then(beyond->motion), 1}, found, rules);
         else if (outside == 1 && topology.joints.joins(at.block, side))
             found.push_back(beyond_joined_side(topology, at, side, rules.weights));
     }
 }
 
-bool same_cell(const HaloSource& a, const HaloSource& b)
-{
-    return a.block == b.block && a.cell == b.cell && (a.shift - b.shift).norm() < 1e-9 * (1 + a.shift.norm());
-}
+bool same_cell(const HaloSource& a, const HaloSource& b) { return a.block == b.block && a.cell == b.cell && a.motion.is_same(b.motion); }
 
 bool same(const Way& a, const Way& b) { return std::equal(a.begin(), a.end(), b.begin(), b.end(), same_cell); }
 
@@ -79,7 +76,7 @@ bool same(const Way& a, const Way& b) { return std::equal(a.begin(), a.end(), b.
 std::vector<Way> ways_to(const Topology& topology, BlockId block, Index3 cell, WalkRules rules)
 {
     std::vector<Way> found, some;
-    walk(topology, {block, cell, Vec3::Zero(), 1}, found, rules);
+    walk(topology, {block, cell, Motion(), 1}, found, rules);
     for (auto& way : found)
         if (std::none_of(some.begin(), some.end(), [&](const Way& other) { return same(way, other); })) some.push_back(std::move(way));
     std::sort(some.begin(), some.end(), [](const Way& a, const Way& b) {

@@ -11,7 +11,7 @@ namespace core {
 struct HaloSource {
     BlockId block = -1;
     Index3 cell;
-    Vec3 shift = Vec3::Zero(); ///< position in its own block = position seen from here + shift
+    Motion motion; ///< carries positions seen from here to positions in its own block
     double weight = 1;
 };
 

@@ -138,7 +138,7 @@ std::optional<Location> Locator::walk(const Vec3& x, Location at, int steps) con
         at.cell[axis] += high ? 1 : -1;
         if (mesh_->cells(at.block).contains(at.cell)) continue;
         const auto& beyond = mesh_->topology().neighbour(at.block, side_of(axis, high));
-        if (!beyond || !beyond->shift.isZero(0)) return std::nullopt;
+        if (!beyond || !beyond->motion.is_identity()) return std::nullopt;
         at.cell = beyond->map(at.cell);
         at.block = beyond->block;
     }
@@ -154,7 +154,8 @@ std::optional<Location> Locator::find_beyond_seams(const Vec3& x) const
         return std::nullopt;
     };
     for (const Interface& seam : mesh_->topology().interfaces)
-        if (auto at = through(seam.shift)) return at;
+        if (!seam.motion.turns)
+            if (auto at = through(seam.motion.shift)) return at;
     for (const SubFaceInterface& seam : mesh_->topology().joints.interfaces)
         if (auto at = through(seam.contact.shift)) return at;
     return std::nullopt;

@@ -4,6 +4,7 @@
 #include "core/base/error.hpp"
 #include "core/grid/partition.hpp"
 #include "core/grid/sub_face_values.hpp"
+#include "core/grid/touching_sides.hpp"
 
 namespace core {
 
@@ -12,6 +13,7 @@ Mesh::Mesh(MultiBlock grid, int rank, int ranks) : grid_(std::move(grid))
     require<ConfigError>(!grid_.blocks.empty(), "the grid has no blocks");
     for (std::size_t b = 0; b < grid_.blocks.size(); ++b) total_volume_ += checked_volume(grid_, BlockId(b));
     topology_ = match_sides(grid_);
+    require_turn_joins(grid_, topology_);
     owner_ = partition(topology_.cells, ranks);
     local_.assign(owner_.size(), -1);
     for (BlockId b = 0; b < blocks(); ++b) {

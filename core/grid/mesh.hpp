@@ -19,6 +19,7 @@ public:
     [[nodiscard]] Extents cells(BlockId b) const { return topology_.cells[std::size_t(b)]; }
     [[nodiscard]] const Vertices& vertices(BlockId b) const { return grid_.blocks[std::size_t(b)]; }
     [[nodiscard]] const std::vector<Vec3>& periods() const { return grid_.periods; }
+    [[nodiscard]] const std::optional<PeriodicTurn>& turn() const { return grid_.turn; }
     [[nodiscard]] int owner(BlockId b) const { return owner_[std::size_t(b)]; }
     [[nodiscard]] const std::vector<int>& owners() const { return owner_; }
 

@@ -4,7 +4,9 @@
 // The vertices of all blocks as a generator or a grid file gives them, before anyone knows who touches whom.
 #include "core/base/vec3.hpp"
 #include "core/field/array3.hpp"
+#include "core/grid/motion.hpp"
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +26,8 @@ struct MultiBlock {
     std::vector<Vertices> blocks;
     /// Translations that carry the domain onto itself [m].
     std::vector<Vec3> periods;
+    /// The same by turning it. Sides that it lays on each other must match point by point.
+    std::optional<PeriodicTurn> turn;
     /// Sides without matching points that the flow goes through; each must be covered as a whole (touching_sides.hpp finds them).
     std::vector<SideContact> contacts;
     /// Vertices of sides that meet are at most this share of the side's smallest edge apart.

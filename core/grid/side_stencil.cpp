@@ -23,7 +23,7 @@ std::optional<HaloSource> found_from(const Topology& topology, HaloSource at)
                 if (beyond) next = &*beyond;
             }
         if (next == nullptr) return std::nullopt;
-        at = {next->block, next->map(at.cell), at.shift + next->shift, at.weight};
+        at = {next->block, next->map(at.cell), at.motion.then(next->motion), at.weight};
     }
     return std::nullopt;
 }
@@ -74,7 +74,7 @@ public:
         c[axis_of(place_.side)] = normal_;
         c[axes_[0]] = p;
         c[axes_[1]] = q;
-        return found_from(topology_, {place_.block, c, place_.shift, 1});
+        return found_from(topology_, {place_.block, c, place_.motion, 1});
     }
     /// Last index in the direction of `step` of the cells that a stencil may use, at most two beyond the rim.
     [[nodiscard]] int reach(int axis, int step, std::array<int, 2> at) const

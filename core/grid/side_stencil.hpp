@@ -13,7 +13,7 @@ enum class LayerWeights {
 
 /// Cells and weights that interpolate to a place in the layer of cells next to its side (layer 0) or deeper. Across sides that
 /// match the stencil goes on in the next block. The weights add up to 1.
-/// @param place  Its shift becomes that of the sources.
+/// @param place  Its motion begins those of the sources.
 /// @return None where the block has no such layer, nor a neighbour beyond it with matching points.
 [[nodiscard]] std::vector<HaloSource> layer_stencil(const Topology& topology, const SidePlace& place, int layer,
                                                     LayerWeights weights = LayerWeights::cubic);

@@ -68,7 +68,7 @@ struct Contact {
 SidePlace place_on(const SideTiling& tiling, BlockId block, Side side, const Vec3& x, const Vec3& shift)
 {
     const TilingPlace at = tiling.nearest(x);
-    return {block, side, std::clamp(at.p, 0.0, double(tiling.np())), std::clamp(at.q, 0.0, double(tiling.nq())), shift};
+    return {block, side, std::clamp(at.p, 0.0, double(tiling.np())), std::clamp(at.q, 0.0, double(tiling.nq())), Motion(shift)};
 }
 
 /// Where a layer's stencil for a place lies [m].
@@ -76,7 +76,7 @@ Vec3 stencil_centre(const MultiBlock& grid, const Topology& topology, const Side
 {
     Vec3 x = Vec3::Zero();
     for (const HaloSource& s : layer_stencil(topology, place, 0))
-        x += s.weight * (cell_shape(grid.blocks[std::size_t(s.block)], s.cell).centroid - s.shift);
+        x += s.weight * s.motion.origin_of(cell_shape(grid.blocks[std::size_t(s.block)], s.cell).centroid);
     return x;
 }
 

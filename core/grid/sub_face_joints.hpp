@@ -12,7 +12,7 @@ struct SidePlace {
     BlockId block = -1;
     Side side = Side::i_low;
     double p = 0, q = 0;
-    Vec3 shift = Vec3::Zero(); ///< position in that block = position as asked + shift
+    Motion motion; ///< carries positions as asked to positions in that block
 };
 
 /// A sub-face between cell `a` of one block and cell `b` of another. All vectors as the block of `a` has them.

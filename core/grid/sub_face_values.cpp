@@ -25,7 +25,7 @@ SubFaceValues sub_face_values(const Topology& topology, BlockId block)
         const BlockId other = is_a ? joint.contact.b : joint.contact.a;
         const Index3 beyond = is_a ? face.b : face.a;
         const auto [place, is_new] = numbers.try_emplace({other, beyond.i, beyond.j, beyond.k}, int(values.cells.size()));
-        if (is_new) values.cells.push_back({other, beyond, Vec3::Zero(), 1});
+        if (is_new) values.cells.push_back({other, beyond, Motion(), 1});
         const Side side = is_a ? joint.contact.side_a : joint.contact.side_b;
         values.faces.push_back({&face, is_a, side, is_a ? face.a : face.b, place->second, 0});
     };

@@ -82,7 +82,7 @@ IndexMap cell_map(IndexMap map)
     return map;
 }
 
-bool fits(const MultiBlock& grid, SideRef a, SideRef b, const IndexMap& map, const Vec3& shift, double tolerance)
+bool fits(const MultiBlock& grid, SideRef a, SideRef b, const IndexMap& map, const Motion& motion, double tolerance)
 {
     const Vertices& va = grid.blocks[std::size_t(a.block)];
     const Vertices& vb = grid.blocks[std::size_t(b.block)];
@@ -92,12 +92,12 @@ bool fits(const MultiBlock& grid, SideRef a, SideRef b, const IndexMap& map, con
     for (int q = 0; q < va.extents()[t[1]]; ++q)
         for (int p = 0; p < va.extents()[t[0]]; ++p) {
             const Index3 c = vertex_index(va, a.side, p, q);
-            if ((va.view()[c] + shift - vb.view()[map(c)]).norm() > tolerance) return false;
+            if ((motion.of_position(va.view()[c]) - vb.view()[map(c)]).norm() > tolerance) return false;
         }
     return true;
 }
 
-void copy_vertices(MultiBlock& grid, SideRef a, SideRef b, const IndexMap& map, const Vec3& shift)
+void copy_vertices(MultiBlock& grid, SideRef a, SideRef b, const IndexMap& map, const Motion& motion)
 {
     const Vertices& va = grid.blocks[std::size_t(a.block)];
     const auto target = grid.blocks[std::size_t(b.block)].view();
@@ -105,31 +105,35 @@ void copy_vertices(MultiBlock& grid, SideRef a, SideRef b, const IndexMap& map, 
     for (int q = 0; q < va.extents()[t[1]]; ++q)
         for (int p = 0; p < va.extents()[t[0]]; ++p) {
             const Index3 c = vertex_index(va, a.side, p, q);
-            target[map(c)] = va.view()[c] + shift;
+            target[map(c)] = motion.of_position(va.view()[c]);
         }
 }
 
-std::vector<Vec3> shifts_of(const MultiBlock& grid)
+std::vector<Motion> motions_of(const MultiBlock& grid)
 {
-    std::vector<Vec3> shifts{Vec3::Zero()};
+    std::vector<Motion> motions{Motion()};
     for (const Vec3& period : grid.periods) {
-        shifts.push_back(period);
-        shifts.push_back(-period);
+        motions.emplace_back(period);
+        motions.emplace_back(Vec3(-period));
     }
-    return shifts;
+    if (grid.turn) {
+        motions.push_back(grid.turn->motion());
+        motions.push_back(grid.turn->motion().inverse());
+    }
+    return motions;
 }
 
-std::optional<Interface> meeting(const MultiBlock& grid, SideRef a, SideRef b, const std::vector<Vec3>& shifts)
+std::optional<Interface> meeting(const MultiBlock& grid, SideRef a, SideRef b, const std::vector<Motion>& motions)
 {
     const Vertices& va = grid.blocks[std::size_t(a.block)];
     const Vertices& vb = grid.blocks[std::size_t(b.block)];
     const double tolerance = grid.match_tolerance * smallest_edge(va, a.side);
-    for (const Vec3& shift : shifts) {
+    for (const Motion& motion : motions) {
         const bool itself = a.block == b.block && a.side == b.side;
-        if (itself || (centre(va, a.side) + shift - centre(vb, b.side)).norm() > tolerance) continue;
+        if (itself || (motion.of_position(centre(va, a.side)) - centre(vb, b.side)).norm() > tolerance) continue;
         for (int way = 0; way < 8; ++way) {
             const IndexMap map = vertex_map(a, b, cells_of(va), cells_of(vb), way);
-            if (fits(grid, a, b, map, shift, tolerance)) return Interface{a.block, b.block, a.side, b.side, map, shift};
+            if (fits(grid, a, b, map, motion, tolerance)) return Interface{a.block, b.block, a.side, b.side, map, motion};
         }
     }
     return std::nullopt;
@@ -146,8 +150,8 @@ void connect(Topology& topology, const Interface& f)
                                   "tolerance with which sides are matched"));
         place = n;
     };
-    enter(f.a, f.side_a, {f.b, f.side_b, f.a_to_b, f.shift});
-    enter(f.b, f.side_b, {f.a, f.side_a, f.a_to_b.inverse(), -f.shift});
+    enter(f.a, f.side_a, {f.b, f.side_b, f.a_to_b, f.motion});
+    enter(f.b, f.side_b, {f.a, f.side_a, f.a_to_b.inverse(), f.motion.inverse()});
     topology.interfaces.push_back(f);
 }
 
@@ -162,11 +166,11 @@ Topology match_sides(MultiBlock& grid)
         for (Side s : all_sides) sides.push_back({BlockId(b), s});
     }
     topology.neighbours.resize(grid.blocks.size());
-    const auto shifts = shifts_of(grid);
+    const auto motions = motions_of(grid);
     for (std::size_t p = 0; p < sides.size(); ++p)
         for (std::size_t q = p + 1; q < sides.size(); ++q)
-            if (auto found = meeting(grid, sides[p], sides[q], shifts)) {
-                copy_vertices(grid, sides[p], sides[q], found->a_to_b, found->shift);
+            if (auto found = meeting(grid, sides[p], sides[q], motions)) {
+                copy_vertices(grid, sides[p], sides[q], found->a_to_b, found->motion);
                 found->a_to_b = cell_map(found->a_to_b);
                 connect(topology, *found);
             }

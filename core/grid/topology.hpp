@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Who touches whom: sides of blocks that meet, in any orientation, inside the domain or through a period, point by point or
-// at sub-faces; and the sides that meet nobody.
+// Who touches whom: sides of blocks that meet, in any orientation, inside the domain or through a period (a shift or a turn),
+// point by point or at sub-faces; and the sides that meet nobody.
 #include "core/grid/index_map.hpp"
 #include "core/grid/sub_face_joints.hpp"
+#include <algorithm>
 #include <optional>
 
 namespace core {
@@ -12,9 +13,9 @@ namespace core {
 /// What lies beyond a side of a block.
 struct Neighbour {
     BlockId block = -1;
-    Side side = Side::i_low;   ///< side of that block which is met
-    IndexMap map;              ///< cells of this block, continued beyond the side, in that block's indices
-    Vec3 shift = Vec3::Zero(); ///< position there = position here + shift
+    Side side = Side::i_low; ///< side of that block which is met
+    IndexMap map;            ///< cells of this block, continued beyond the side, in that block's indices
+    Motion motion;           ///< carries positions here to positions there
 };
 
 /// A pair of sides that meet, told once: `a` is the lower (block, side).
@@ -22,7 +23,7 @@ struct Interface {
     BlockId a = -1, b = -1;
     Side side_a = Side::i_low, side_b = Side::i_low;
     IndexMap a_to_b;
-    Vec3 shift = Vec3::Zero();
+    Motion motion; ///< from a to b
 };
 
 /// A side that meets no other.
@@ -42,6 +43,11 @@ struct Topology {
     [[nodiscard]] const std::optional<Neighbour>& neighbour(BlockId block, Side side) const
     {
         return neighbours[std::size_t(block)][std::size_t(side)];
+    }
+    /// Does any side meet another by a turn?
+    [[nodiscard]] bool turns() const
+    {
+        return std::any_of(interfaces.begin(), interfaces.end(), [](const Interface& f) { return f.motion.turns; });
     }
     /// Is this side a boundary of the domain?
     [[nodiscard]] bool at_boundary(BlockId block, Side side) const { return !neighbour(block, side) && !joints.joins(block, side); }

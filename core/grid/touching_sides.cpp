@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/grid/touching_sides.hpp"
+#include "core/base/error.hpp"
 #include "core/grid/side_overlap.hpp"
 #include <algorithm>
+#include <numbers>
 
 namespace core {
 namespace {
@@ -48,11 +50,25 @@ double shared_area(const Vertices& block_a, const SideTiling& a, const Vertices&
     return sum;
 }
 
+constexpr double smallest_share = 1e-3; // less may be the curvature of two sides that meet at a rim
+
+std::string words(const PeriodicTurn& turn)
+{
+    return text("a turn of ", turn.angle * 180 / std::numbers::pi, " degrees about (", turn.axis.transpose(), ") through (",
+                turn.point.transpose(), ") m");
+}
+
+Vertices turned(const Vertices& block, const Motion& motion)
+{
+    Vertices result = block;
+    for (Vec3& x : result.data()) x = motion.of_position(x);
+    return result;
+}
+
 } // namespace
 
 std::vector<TouchingSides> touching_sides(const MultiBlock& grid, const Topology& topology)
 {
-    constexpr double smallest_share = 1e-3; // less may be the curvature of two sides that meet at a rim
     std::vector<Vec3> shifts{Vec3::Zero()};
     for (const Vec3& period : grid.periods) {
         shifts.push_back(period);
@@ -74,6 +90,27 @@ std::vector<TouchingSides> touching_sides(const MultiBlock& grid, const Topology
             }
     }
     return found;
+}
+
+void require_turn_joins(const MultiBlock& grid, const Topology& topology)
+{
+    if (!grid.turn) return;
+    const auto name = [](const Boundary& side) { return text("side ", side_words[std::size_t(side.side)], " of block ", side.block); };
+    for (const Boundary& a : topology.boundaries) {
+        const Vertices block_a = turned(grid.blocks[std::size_t(a.block)], grid.turn->motion());
+        const SideTiling tiling_a(block_a, a.side);
+        for (const Boundary& b : topology.boundaries) {
+            const Vertices& block_b = grid.blocks[std::size_t(b.block)];
+            const SideTiling tiling_b(block_b, b.side);
+            if (!boxes_touch(box_of(tiling_a), box_of(tiling_b))) continue;
+            const double share =
+                shared_area(block_a, tiling_a, block_b, tiling_b, Vec3::Zero()) / std::min(area_of(tiling_a), area_of(tiling_b));
+            require<ConfigError>(share <= smallest_share, text(words(*grid.turn), " lays ", name(a), " on ", name(b),
+                                                               ", but their points do not match: give both the same points"));
+        }
+    }
+    require<ConfigError>(topology.turns(), text(words(*grid.turn), " lays no side of the grid on another: give the angle and the axis of "
+                                                                   "the sector that the grid fills"));
 }
 
 } // namespace core

@@ -14,4 +14,8 @@ struct TouchingSides : SideContact {
 /// sides, though they did not match point by point.
 [[nodiscard]] std::vector<TouchingSides> touching_sides(const MultiBlock& grid, const Topology& topology);
 
+/// Checks what the turn of a grid lays on each other; nothing without one.
+/// @throws ConfigError if it joins no sides, or lays sides on each other whose points do not match.
+void require_turn_joins(const MultiBlock& grid, const Topology& topology);
+
 } // namespace core

@@ -33,7 +33,10 @@ constexpr int most_blocks_shown = 40;
 [[nodiscard]] std::string beyond(const core::Topology& topology, BlockId block, Side side)
 {
     if (const auto& n = topology.neighbour(block, side))
-        return fmt::format("{}.{}{}", n->block, core::side_words[std::size_t(n->side)], n->shift.isZero(0) ? "" : " (periodic)");
+        return fmt::format("{}.{}{}", n->block, core::side_words[std::size_t(n->side)],
+                           n->motion.is_identity() ? ""
+                           : n->motion.turns       ? " (turned)"
+                                                   : " (periodic)");
     if (topology.joints.joins(block, side)) return joined(topology, block, side);
     const auto boundary = std::find_if(topology.boundaries.begin(), topology.boundaries.end(),
                                        [&](const core::Boundary& b) { return b.block == block && b.side == side; });

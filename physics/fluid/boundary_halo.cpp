@@ -66,6 +66,14 @@ void mirror_velocity_change(const BlockWalls& walls, int component, core::View<d
     });
 }
 
+void mirror_velocity_change(const BlockWalls& walls, core::VectorView<double> change)
+{
+    for_each_mirrored(walls, change.x.extents(), 1, [&](const BlockSide& side, core::Index3 inside, core::Index3 beyond) {
+        const core::Vec3 v = vector_at(change, inside);
+        set(change, beyond, side.gives_pressure() ? v : side.slips() ? reflected(side, inside, v) : core::Vec3(-v));
+    });
+}
+
 void mirror_source(const BlockWalls& walls, int layers, core::VectorView<const double> velocity, core::VectorView<double> q)
 {
     for_each_mirrored(walls, q.x.extents(), layers, [&](const BlockSide& side, core::Index3 inside, core::Index3 beyond) {

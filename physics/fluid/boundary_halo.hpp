@@ -41,6 +41,8 @@ void for_each_mirrored(const BlockWalls& walls, core::Extents cells, int layers,
 void mirror_velocity(const BlockWalls& walls, int layers, core::VectorView<double> velocity);
 /// One layer of a change of one component, in which boundaries have no part of their own.
 void mirror_velocity_change(const BlockWalls& walls, int component, core::View<double> change);
+/// The same of all components, which slip walls join.
+void mirror_velocity_change(const BlockWalls& walls, core::VectorView<double> change);
 /// Halo of q = velocity + increment: velocity mirrored as above, the increment reflected by slip walls and even at others.
 /// Behind an outflow lies fluid at rest where the flow turns back.
 void mirror_source(const BlockWalls& walls, int layers, core::VectorView<const double> velocity, core::VectorView<double> q);

@@ -23,7 +23,7 @@ void add_interface(const core::Mesh& mesh, const core::Interface& f, MeshLinks& 
         const core::Index3 b = f.a_to_b(stepped(a, axis, core::is_high(f.side_a) ? 1 : -1));
         const core::FaceShape shape = core::face_shape(core::face_corners(mesh.vertices(f.a), axis, face));
         const core::Vec3 from = core::cell_shape(mesh.vertices(f.a), a).centroid;
-        const core::Vec3 d = core::cell_shape(mesh.vertices(f.b), b).centroid - f.shift - from;
+        const core::Vec3 d = f.motion.origin_of(core::cell_shape(mesh.vertices(f.b), b).centroid) - from;
         links.topology.links.push_back({{f.a, cell_index(na, a.i, a.j, a.k), f.side_a}, {f.b, cell_index(nb, b.i, b.j, b.k), f.side_b}});
         const double along = std::abs(shape.area.dot(d));
         links.transmissibility.push_back(shape.area.squaredNorm() / along);

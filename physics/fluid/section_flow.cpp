@@ -20,8 +20,9 @@ double length_along(const core::Mesh& mesh, const core::Vec3& direction)
 /// Position beyond a face of a side = position at it + this.
 core::Vec3 shift_beyond(const core::Topology& topology, core::BlockId block, core::Side side, std::size_t face)
 {
-    if (const auto& neighbour = topology.neighbour(block, side)) return neighbour->shift;
-    if (topology.joints.joins(block, side)) return topology.joints.places[std::size_t(block)][std::size_t(side)][face].shift;
+    if (const auto& neighbour = topology.neighbour(block, side))
+        return neighbour->motion.turns ? core::Vec3(core::Vec3::Zero()) : neighbour->motion.shift;
+    if (topology.joints.joins(block, side)) return topology.joints.places[std::size_t(block)][std::size_t(side)][face].motion.shift;
     return core::Vec3::Zero();
 }
 

@@ -45,7 +45,7 @@ CoupledStep::CoupledStep(const core::Locator& locator, const core::Communicator&
     if (parameters_.mixture) fields_.surface.allocate();
     halos_.prepare(&fluid_.state().pressure, core::beside);
     halos_.prepare(&fluid_.state().velocity, core::beside);
-    halos_.prepare(&fluid_.fields().gradient_x, core::beside);
+    halos_.prepare(&fluid_.fields().velocity_gradient, core::beside);
 }
 
 core::Vec3 CoupledStep::drive_of(const FluidClock& clock, const DriveState& state) const

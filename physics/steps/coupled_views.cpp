@@ -75,8 +75,10 @@ void CoupledStep::declare_vorticity(tasks::StageGraph& graph)
     auto& fluid = fluid_.fields();
     graph.each_block(
         "vorticity for grains",
-        [](LocalBlock, Vectors gx, Vectors gy, Vectors gz, std::array<View<double>, 3> curl) { vorticity(gx, gy, gz, vector_of(curl, 0)); },
-        reads(fluid.gradient_x, fluid.gradient_y, fluid.gradient_z), writes(f.vorticity));
+        [](LocalBlock, const core::TensorView<const double>& g, std::array<View<double>, 3> curl) {
+            vorticity(g[0], g[1], g[2], vector_of(curl, 0));
+        },
+        reads(fluid.velocity_gradient), writes(f.vorticity));
     graph.whole(
         "halo of vorticity for grains",
         [this](tasks::Lane& lane, core::FieldBatch<3>& curl) { return fill_for_sampling(lane, mesh_, plan_, curl); }, updates(f.vorticity));

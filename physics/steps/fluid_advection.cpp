@@ -95,23 +95,22 @@ void FluidStep::declare_finite_volumes(tasks::StageGraph& graph)
         reads(state_.flux, clock_), updates(state_.flux_before), writes(f.middle_flux));
     graph.each_block(
         "velocity in the middle of the step",
-        [](LocalBlock, Vectors transport, Vectors q, Vectors gx, Vectors gy, Vectors gz, const FluidClock& clock, VectorView<double> out) {
-            middle_velocity(clock.dt, transport, q, {gx, gy, gz}, out);
+        [](LocalBlock, Vectors transport, Vectors q, const Gradients& g, const FluidClock& clock, VectorView<double> out) {
+            middle_velocity(clock.dt, transport, q, g, out);
         },
-        reads(f.transport, f.source, f.gradient_x, f.gradient_y, f.gradient_z, clock_), writes(f.middle));
+        reads(f.transport, f.source, f.velocity_gradient, clock_), writes(f.middle));
     graph.each_block(
         "advect velocity",
-        [this](LocalBlock b, Vectors u, Vectors middle, Vectors gx, Vectors gy, Vectors gz, FaceView<const double> flux, Vectors q,
-               const FluidClock& clock, FaceView<double> scratch, VectorView<double> out) {
+        [this](LocalBlock b, Vectors u, Vectors middle, const Gradients& g, FaceView<const double> flux, Vectors q, const FluidClock& clock,
+               FaceView<double> scratch, VectorView<double> out) {
             const MomentumTransport transport{geometry(b), old_walls_of(b), walls_of(b), face_centres_[std::size_t(b)]};
-            momentum_outflow(transport, flux, {u, middle, {gx, gy, gz}}, scratch, out);
+            momentum_outflow(transport, flux, {u, middle, g}, scratch, out);
             for (int c = 0; c < 3; ++c)
                 map_cells(
                     out.component(c), [dt = clock.dt](double before, double outflow, double v) { return before - dt * outflow / v; },
                     q.component(c), out.component(c), geometry(b).volume.view());
         },
-        reads(beside(state_.velocity), beside(f.middle), beside(f.gradient_x), beside(f.gradient_y), beside(f.gradient_z), f.middle_flux,
-              f.source, clock_),
+        reads(beside(state_.velocity), beside(f.middle), beside(f.velocity_gradient), f.middle_flux, f.source, clock_),
         writes(f.face_scratch, f.advected));
     if (!mesh_.topology().joints.interfaces.empty()) declare_sub_face_momentum(graph);
 }

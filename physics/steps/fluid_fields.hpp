@@ -10,9 +10,7 @@ namespace physics {
 struct FluidFields {
     explicit FluidFields(const core::Mesh& mesh)
         : pressure_gradient({"pressure gradient", "Pa/m", 1, false}, mesh.own_cells()),
-          gradient_x({"gradient of velocity x", "1/s", 1, false}, mesh.own_cells()),
-          gradient_y({"gradient of velocity y", "1/s", 1, false}, mesh.own_cells()),
-          gradient_z({"gradient of velocity z", "1/s", 1, false}, mesh.own_cells()),
+          velocity_gradient({"gradient of velocity", "1/s", 1, false}, mesh.own_cells()),
           viscous({"viscous acceleration", "m/s2", 0, false}, mesh.own_cells()),
           source({"velocity to advect", "m/s", 3, false}, mesh.own_cells()),
           transport({"transport velocity", "m/s", 1, false}, mesh.own_cells()),
@@ -36,7 +34,8 @@ struct FluidFields {
     {
     }
 
-    core::VectorField pressure_gradient, gradient_x, gradient_y, gradient_z;
+    core::VectorField pressure_gradient;
+    core::TensorField velocity_gradient;
     core::VectorField viscous;   ///< explicit, at the start of the step
     core::VectorField source;    ///< what is interpolated at the departure points
     core::VectorField transport; ///< what carries: velocity as the fluxes through the faces of a cell have it

@@ -205,13 +205,12 @@ void FluidStep::declare_implicit_viscosity(tasks::StageGraph& graph)
         if (!f.viscosity_ratio.used()) return;
         graph.each_block(
             name,
-            [this](LocalBlock b, Vectors gx, Vectors gy, Vectors gz, const FaceFactors& ratio, const FluidClock& clock,
-                   FaceView<double> scratch, VectorView<double> out) {
-                const TransposedStress stress{geometry(b), walls_of(b), parameters_.viscosity, {gx, gy, gz}, *ratio};
+            [this](LocalBlock b, const Gradients& g, const FaceFactors& ratio, const FluidClock& clock, FaceView<double> scratch,
+                   VectorView<double> out) {
+                const TransposedStress stress{geometry(b), walls_of(b), parameters_.viscosity, g, *ratio};
                 add_transposed_stress(stress, clock.implicit_share() * clock.dt, scratch, out);
             },
-            reads(beside(f.gradient_x), beside(f.gradient_y), beside(f.gradient_z), f.viscosity_ratio, clock_), writes(f.face_scratch),
-            updates(to));
+            reads(beside(f.velocity_gradient), f.viscosity_ratio, clock_), writes(f.face_scratch), updates(to));
     };
     add_known("transposed turbulent stress", f.predicted);
     graph.whole(

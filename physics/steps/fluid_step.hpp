@@ -94,6 +94,7 @@ public:
 
 private:
     using Vectors = core::VectorView<const double>;
+    using Gradients = core::TensorView<const double>;
     enum class Moment { start, end };
     void prepare_advection();
     void declare_source(tasks::StageGraph& graph);
@@ -104,8 +105,8 @@ private:
     void require_balance(const core::Communicator& ranks) const;
     /// Do viscous fluxes need the gradients in cells?
     [[nodiscard]] bool viscosity_needs_gradients() const { return !is_straight_ || fields_.viscosity_ratio.used(); }
-    void velocity_gradients(core::LocalBlock b, Vectors u, const std::array<core::VectorView<double>, 3>& out) const;
-    void viscous_acceleration(core::LocalBlock b, Vectors u, const std::array<Vectors, 3>& gradients, core::FaceView<double> scratch,
+    void velocity_gradients(core::LocalBlock b, Vectors u, const core::TensorView<double>& out) const;
+    void viscous_acceleration(core::LocalBlock b, Vectors u, const Gradients& gradients, core::FaceView<double> scratch,
                               core::VectorView<double> out) const;
     void declare_known_pressure(tasks::StageGraph& graph);
     void declare_correction(tasks::StageGraph& graph);

@@ -11,12 +11,12 @@ namespace physics {
 using core::FaceView, core::LocalBlock, core::VectorView;
 using tasks::beside, tasks::reads, tasks::writes;
 
-void FluidStep::velocity_gradients(LocalBlock b, Vectors u, const std::array<VectorView<double>, 3>& out) const
+void FluidStep::velocity_gradients(LocalBlock b, Vectors u, const core::TensorView<double>& out) const
 {
     for (int c = 0; c < 3; ++c) gradient(geometry(b), geometry(b).wall_gradient, u.component(c), out[std::size_t(c)]);
 }
 
-void FluidStep::viscous_acceleration(LocalBlock b, Vectors u, const std::array<Vectors, 3>& gradients, FaceView<double> scratch,
+void FluidStep::viscous_acceleration(LocalBlock b, Vectors u, const Gradients& gradients, FaceView<double> scratch,
                                      VectorView<double> out) const
 {
     const FaceFactors factors = std::as_const(fields_).viscosity_ratio.on(b);
@@ -31,11 +31,8 @@ void FluidStep::declare_velocity_gradients(tasks::StageGraph& graph)
 {
     auto& f = fields_;
     graph.each_block(
-        "gradient of velocity",
-        [this](LocalBlock b, Vectors u, VectorView<double> x, VectorView<double> y, VectorView<double> z) {
-            velocity_gradients(b, u, {x, y, z});
-        },
-        reads(beside(state_.velocity)), writes(f.gradient_x, f.gradient_y, f.gradient_z));
+        "gradient of velocity", [this](LocalBlock b, Vectors u, const core::TensorView<double>& out) { velocity_gradients(b, u, out); },
+        reads(beside(state_.velocity)), writes(f.velocity_gradient));
 }
 
 void FluidStep::declare_viscous_acceleration(tasks::StageGraph& graph, core::VectorField& acceleration)
@@ -53,22 +50,20 @@ void FluidStep::declare_viscous_acceleration(tasks::StageGraph& graph, core::Vec
     }
     graph.each_block(
         name,
-        [this](LocalBlock b, Vectors u, Vectors gx, Vectors gy, Vectors gz, const FaceFactors&, FaceView<double> scratch,
-               VectorView<double> out) {
-            viscous_acceleration(b, u, {gx, gy, gz}, scratch, out);
+        [this](LocalBlock b, Vectors u, const Gradients& g, const FaceFactors&, FaceView<double> scratch, VectorView<double> out) {
+            viscous_acceleration(b, u, g, scratch, out);
         },
-        reads(beside(state_.velocity), beside(f.gradient_x), beside(f.gradient_y), beside(f.gradient_z), f.viscosity_ratio),
-        writes(f.face_scratch, acceleration));
+        reads(beside(state_.velocity), beside(f.velocity_gradient), f.viscosity_ratio), writes(f.face_scratch, acceleration));
 }
 
 tasks::Job FluidStep::find_velocity_gradients(tasks::Lane& lane)
 {
     auto& f = fields_;
     co_await halos_.fill(lane, &state_.velocity, core::beside);
-    for (auto* g : {&f.gradient_x, &f.gradient_y, &f.gradient_z}) g->allocate();
+    f.velocity_gradient.allocate();
     for (LocalBlock b = 0; b < mesh_.own_count(); ++b) {
         mirror_velocity(old_walls_of(b), 1, state_.velocity.on(b)); // between steps, begin_step() has been called
-        velocity_gradients(b, state_.velocity.on(b), {f.gradient_x.on(b), f.gradient_y.on(b), f.gradient_z.on(b)});
+        velocity_gradients(b, state_.velocity.on(b), f.velocity_gradient.on(b));
     }
 }
 
@@ -77,10 +72,9 @@ tasks::Job FluidStep::find_viscous_acceleration(tasks::Lane& lane, core::VectorF
     auto& f = fields_;
     f.face_scratch.allocate();
     acceleration.allocate();
-    for (auto* g : {&f.gradient_x, &f.gradient_y, &f.gradient_z}) co_await halos_.fill(lane, g, core::beside);
+    co_await halos_.fill(lane, &f.velocity_gradient, core::beside);
     for (LocalBlock b = 0; b < mesh_.own_count(); ++b)
-        viscous_acceleration(b, state_.velocity.on(b), {f.gradient_x.on(b), f.gradient_y.on(b), f.gradient_z.on(b)}, f.face_scratch.on(b),
-                             acceleration.on(b));
+        viscous_acceleration(b, state_.velocity.on(b), std::as_const(f.velocity_gradient).on(b), f.face_scratch.on(b), acceleration.on(b));
 }
 
 } // namespace physics

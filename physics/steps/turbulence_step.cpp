@@ -144,8 +144,8 @@ void TurbulenceStep::declare(tasks::StageGraph& graph)
     auto& f = fluid_.fields();
     flux_.declare_new_half(graph, FluidFlux::Grains::as_before);
     graph.each_block(
-        "strain", [](LocalBlock, Vectors x, Vectors y, Vectors z, View<double> out) { physics::strain(x, y, z, out); },
-        reads(f.gradient_x, f.gradient_y, f.gradient_z), writes(strain_));
+        "strain", [](LocalBlock, const core::TensorView<const double>& g, View<double> out) { physics::strain(g[0], g[1], g[2], out); },
+        reads(f.velocity_gradient), writes(strain_));
     graph.whole(
         "carry turbulence",
         [this](tasks::Lane& lane, const core::FaceField& flux, const core::VectorField& velocity, const ViscosityRatio&,

@@ -12,13 +12,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace physics {
-namespace {
-
-core::VectorField gradient_field(const core::Mesh& mesh) { return {{"gradient of implicit velocity", "1/s", 1, false}, mesh.own_cells()}; }
-
-} // namespace
 
 ViscositySystem::ViscositySystem(const SystemContext& context, const PressureSystem& pressure, const FluidTolerances& tolerances)
     : context_(context),
@@ -29,7 +25,7 @@ ViscositySystem::ViscositySystem(const SystemContext& context, const PressureSys
       transmissibility_sum_({"transmissibility sum", "m", 0, false}, context.mesh.own_cells()),
       reciprocal_({"reciprocal of the diagonal", "1/m3", 0, false}, context.mesh.own_cells()),
       residual_({"residual of implicit velocity", "m4/s", 0, false}, context.mesh.own_cells()),
-      gradient_{gradient_field(context.mesh), gradient_field(context.mesh), gradient_field(context.mesh)},
+      gradient_({"gradient of implicit velocity", "1/s", 1, false}, context.mesh.own_cells()),
       flux_({"flux of implicit velocity", "m3/s", 0, false}, context.mesh.own_cells()),
       right_(layout_.size(), 0.0),
       solution_(layout_.size(), 0.0),
@@ -40,11 +36,11 @@ ViscositySystem::ViscositySystem(const SystemContext& context, const PressureSys
     reciprocal_.allocate();
     residual_.allocate();
     flux_.allocate();
-    for (auto& g : gradient_) {
-        if (context_.is_straight) break; // nothing reads them
-        g.allocate();
-        context_.halos.prepare(&g, core::beside);
+    if (!context_.is_straight) { // else nothing reads it
+        gradient_.allocate();
+        context_.halos.prepare(&gradient_, core::beside);
     }
+    if (context.mesh.topology().turns()) joined_ = std::make_unique<JoinedComponents>(context, layout_);
     for (core::LocalBlock b = 0; b < context.mesh.own_count(); ++b)
         transmissibility_sum(context.mesh.geometry(b), transmissibility_sum_.on(b));
 }
@@ -122,10 +118,9 @@ tasks::Job ViscositySystem::form_residual(tasks::Lane& lane, const core::VectorF
         const auto u = velocity.on(b);
         mirror_velocity(context_.walls[std::size_t(b)], 1, u);
         for (int c = 0; c < 3 && !context_.is_straight; ++c)
-            gradient(geometry, geometry.wall_gradient, u.component(c), gradient_[std::size_t(c)].on(b));
+            gradient(geometry, geometry.wall_gradient, u.component(c), gradient_.on(b)[std::size_t(c)]);
     });
-    if (!context_.is_straight)
-        for (auto& g : gradient_) co_await context_.halos.fill(lane, &g, core::beside);
+    if (!context_.is_straight) co_await context_.halos.fill(lane, &gradient_, core::beside);
     std::fill(sums_.begin(), sums_.end(), 0.0);
     unknown_.for_blocks(lane, [&](core::LocalBlock b) {
         const auto& geometry = context_.mesh.geometry(b);
@@ -133,10 +128,9 @@ tasks::Job ViscositySystem::form_residual(tasks::Lane& lane, const core::VectorF
         const auto u = velocity.on(b), r = residual_.on(b);
         const auto known = change.on(b);
         ViscousSums sums;
+        const core::TensorView<const double> g = context_.is_straight ? core::TensorView<const double>{} : std::as_const(gradient_).on(b);
         for (int c = 0; c < 3; ++c) {
-            const auto& g = gradient_[std::size_t(c)];
-            diffusive_inflow(geometry, context_.walls[std::size_t(b)], u.component(c),
-                             context_.is_straight ? core::VectorView<const double>{} : g.on(b), context_.viscosity_factors(b),
+            diffusive_inflow(geometry, context_.walls[std::size_t(b)], u.component(c), g[std::size_t(c)], context_.viscosity_factors(b),
                              {flux_.on(b), r.component(c)});
             sums += form_viscous_residual({diffusion_, volume, u.component(c), known.component(c)}, r.component(c));
         }
@@ -195,10 +189,14 @@ tasks::Job ViscositySystem::solve(tasks::Lane& lane, double diffusion, core::Vec
     co_await choose_preconditioner(lane);
     KrylovOptions options;
     options.relative = 0;
-    options.absolute = target / std::sqrt(3.0);
+    options.absolute = joined_ ? target : target / std::sqrt(3.0);
     options.most_iterations = jacobi_per_multigrid * tolerances_.most_iterations;
     options.from_zero = true;
     options.unknown = "velocity";
+    if (joined_) {
+        co_await solve_joined(lane, options, velocity, change);
+        co_return;
+    }
     // Slip walls that lie across the axes join the components: these are then solved in turn.
     constexpr int most_turns = 50;
     for (int turn = 0; turn < most_turns; ++turn) {
@@ -208,6 +206,17 @@ tasks::Job ViscositySystem::solve(tasks::Lane& lane, double diffusion, core::Vec
         if (norms.residual <= target) co_return;
     }
     throw core::NumericsError("implicit viscosity: the components of the velocity, joined by slip walls, did not settle");
+}
+
+tasks::Job ViscositySystem::solve_joined(tasks::Lane& lane, KrylovOptions options, core::VectorField& velocity, core::VectorField& change)
+{
+    const JoinedComponents::Equation equation{
+        diffusion_,
+        [this](tasks::Lane& on, std::span<const double> right) -> tasks::Job {
+            if (by_multigrid_) co_await multigrid_.expect_right(on, right);
+        },
+        [this](tasks::Lane& on, std::span<const double> in, std::span<double> out) { return precondition(on, in, out); }};
+    co_await joined_->solve(lane, equation, options, residual_, {&velocity, &change}, iterations_);
 }
 
 tasks::Job ViscositySystem::solve_component(tasks::Lane& lane, int component, const KrylovOptions& options, core::VectorField& velocity,

@@ -5,6 +5,7 @@
 #include "physics/fluid/krylov.hpp"
 #include "physics/fluid/parameters.hpp"
 #include "physics/steps/diffusion_multigrid.hpp"
+#include "physics/steps/joined_components.hpp"
 
 namespace physics {
 
@@ -33,6 +34,7 @@ private:
     };
     tasks::Job form_residual(tasks::Lane& lane, const core::VectorField& change, core::VectorField& velocity, Norms& norms);
     void correct(tasks::Lane& lane, core::VectorField& velocity, core::VectorField& change) const;
+    tasks::Job solve_joined(tasks::Lane& lane, KrylovOptions options, core::VectorField& velocity, core::VectorField& change);
     tasks::Job solve_component(tasks::Lane& lane, int component, const KrylovOptions& options, core::VectorField& velocity,
                                core::VectorField& change);
 
@@ -46,11 +48,12 @@ private:
     Unknown unknown_;
     core::ScalarField transmissibility_sum_, reciprocal_; ///< the latter of the diagonal of the equation being solved
     core::VectorField residual_;
-    std::array<core::VectorField, 3> gradient_; ///< of the components
+    core::TensorField gradient_; ///< of the components
     core::FaceField flux_;
     std::vector<double> right_, solution_, sums_;
     DiffusionMultigrid multigrid_;
-    bool by_multigrid_ = false; ///< the equation that is being solved
+    std::unique_ptr<JoinedComponents> joined_; ///< none unless seams turn
+    bool by_multigrid_ = false;                ///< the equation that is being solved
     double diffusion_ = 0;
     int component_ = 0; ///< that is being solved for
     int iterations_ = 0;

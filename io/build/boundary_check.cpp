@@ -127,10 +127,6 @@ void check_boundary(const Scene& scene, std::size_t n, const std::vector<std::st
     check_keys(all[n], path, locations, problems);
     if (all[n].over_time && locations.good("run.until"))
         check_course(*all[n].over_time, path + ".over_time", scene.run.until, locations, problems);
-    const bool open = all[n].kind == BoundaryKind::inflow || physics::gives_pressure(all[n].kind);
-    if (open && !scene.particles.empty())
-        problems.add(locations.at(path + ".kind"), "particles beside boundaries that fluid flows through cannot be computed yet",
-                     "make the axis periodic, or leave the particles out");
 }
 
 } // namespace

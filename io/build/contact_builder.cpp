@@ -112,13 +112,12 @@ double impact_speed(const Scene& scene)
 BedContact bed_contact(const Scene& scene, const GrainCensus& census, const physics::ParticleParameters& parameters)
 {
     BedContact softest{std::numeric_limits<double>::infinity(), 0.0};
-    const double count = std::max(1.0, double(census.count));
-    const double weight = census.mass / count * gravity_of(scene).norm();
+    const double weight = census.mean_mass() * gravity_of(scene).norm();
     for (const ContactParameters& p : parameters.pairs) {
         const bool linear = p.model == ContactLaw::linear;
         if (!linear && census.count == 0) continue;          // no bed
         const double radius = 0.25 * census.mean_diameter(); // of two alike
-        double stiffness = physics::normal_stiffness(p, {0.5 * census.mass / count, radius});
+        double stiffness = physics::normal_stiffness(p, {0.5 * census.mean_mass(), radius});
         if (!linear && weight > 0) // 4/3 E sqrt(R) delta^(3/2) = m g, k = 2 E sqrt(R delta)
             stiffness = std::cbrt(6 * p.young_modulus * p.young_modulus * radius * weight);
         if (stiffness < softest.stiffness) softest = {stiffness, linear ? p.tangential_stiffness : 4 * p.shear_modulus / p.young_modulus};

@@ -39,7 +39,16 @@ void GrainCensus::stretch(double diameter, double density)
     least_density = std::min(least_density, density);
 }
 
-double GrainCensus::mean_diameter() const { return count > 0 ? std::cbrt(cubes / double(count)) : 0.0; }
+double GrainCensus::mean_diameter() const
+{
+    return count > 0 ? std::cbrt(cubes / double(count)) : arriving > 0 ? std::cbrt(arriving_cubes / arriving) : 0.0;
+}
+
+double GrainCensus::mean_mass() const
+{
+    if (count > 0) return mass / double(count);
+    return arriving > 0 ? std::numbers::pi / 6 * arriving_cubes / arriving * least_density : 0.0;
+}
 
 std::vector<double> diameters_of(const Species& species)
 {
@@ -88,8 +97,10 @@ GrainCensus census_of(const Scene& scene)
             census.stretch(d, s.density);
         }
         census.count += *s.count;
-        if (s.inflow)
-            for (const double d : size_range(s)) census.stretch(d, s.density);
+        if (!s.inflow) continue;
+        for (const double d : size_range(s)) census.stretch(d, s.density);
+        census.arriving_cubes += mean_cube(s);
+        ++census.arriving;
     }
     return census;
 }

@@ -17,13 +17,17 @@ struct GrainCensus {
     double mass = 0;                                                        ///< [kg]
     double smallest = std::numeric_limits<double>::infinity(), largest = 0; ///< diameters [m]
     double least_density = std::numeric_limits<double>::infinity();         ///< [kg/m3]
+    int arriving = 0;                                                       ///< species that may come in
+    double arriving_cubes = 0;                                              ///< sum of the mean cubes of their diameters [m3]
 
     /// Counts one more.
     void add(const core::Sphere& grain);
     /// Widens the extremes by a grain of this diameter [m] and density [kg/m3].
     void stretch(double diameter, double density);
-    /// Diameter of the mean volume [m]; 0 without grains.
+    /// Diameter of the mean volume; where no grain is there at the start, of those that may come in [m].
     [[nodiscard]] double mean_diameter() const;
+    /// Mass of a mean grain; where none is there at the start, of the mean volume and the least density [kg].
+    [[nodiscard]] double mean_mass() const;
 };
 
 /// The diameters of all grains of a species, rising; a single entry where all are equal [m].

@@ -146,7 +146,6 @@ private:
 
     void check_inflow(const Species& species, const std::string& path)
     {
-        if (scene_.fluid) complain(path, "particles cannot come in beside a fluid yet", "remove the inflow, or the fluid");
         check_whole(species.inflow->region, path);
         if (all_good({path + ".begin", path + ".end"}) && species.inflow->end && *species.inflow->end <= species.inflow->begin)
             complain(path + ".end", "the inflow ends before it begins", fmt::format("it begins at {} s", species.inflow->begin));
@@ -154,8 +153,6 @@ private:
 
     void check_outlets()
     {
-        if (scene_.fluid && !scene_.outlets.empty())
-            complain("outlets", "particles cannot be taken away beside a fluid yet", "remove the outlets, or the fluid");
         for (std::size_t n = 0; n < scene_.outlets.size(); ++n) {
             const std::string path = fmt::format("outlets.{}", n);
             for (std::size_t m = 0; m < n; ++m)

@@ -98,10 +98,21 @@ private:
                      "write advection: lcsi, or leave it out");
         if (!particles && scene_.output.energy_budget == EnergyBudget::kept)
             complain("output.energy_budget", "'energy_budget' does nothing without 'particles'", "remove it, or add particles");
-        if (particles && scene_.measures(GrainMeasure::transport) && !scene_.gravity)
-            complain("output.grains", "'transport' needs 'gravity', which says what lies above a bed", "remove it, or add gravity");
+        check_bed_measures(particles);
         if (scene_.coupling && (!particles || !scene_.fluid))
             complain("coupling", "'coupling' needs both 'fluid' and 'particles'", "remove it, or add what is missing");
+    }
+
+    void check_bed_measures(bool particles)
+    {
+        using enum GrainMeasure;
+        for (const GrainMeasure what : {transport, segregation, profile})
+            if (particles && scene_.measures(what) && !scene_.gravity)
+                complain("output.grains",
+                         fmt::format("'{}' needs 'gravity', which says what lies above a bed", grain_measure_words[std::size_t(what)]),
+                         "remove it, or add gravity");
+        if (particles && scene_.measures(profile) && scene_.output.results.clock == Interval::Clock::never)
+            complain("output.grains", "'profile' needs 'output.results', which says when it is written", "add results: every 0.1 s");
     }
 
     void check_filter(const Coupling& coupling)

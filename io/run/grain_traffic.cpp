@@ -110,13 +110,14 @@ void GrainTraffic::check(const core::ParticleSet& grains, const core::ParticleSe
                                          more.empty() ? "" : "; not here before: ", list_of(more)));
 }
 
-void GrainTraffic::pass(double time, const physics::OwnerOf& owner_of, physics::ParticleDynamics& dynamics, const core::Communicator& ranks)
+bool GrainTraffic::pass(double time, const physics::OwnerOf& owner_of, physics::ParticleDynamics& dynamics, const core::Communicator& ranks)
 {
-    if (!outlets_.empty()) take_away(dynamics, ranks);
-    if (!inflows_.empty()) let_in(time, owner_of, dynamics, ranks);
+    const bool went = !outlets_.empty() && take_away(dynamics, ranks);
+    const bool came = !inflows_.empty() && let_in(time, owner_of, dynamics, ranks);
+    return went || came;
 }
 
-void GrainTraffic::take_away(physics::ParticleDynamics& dynamics, const core::Communicator& ranks)
+bool GrainTraffic::take_away(physics::ParticleDynamics& dynamics, const core::Communicator& ranks)
 {
     core::ParticleSet& p = dynamics.particles;
     std::vector<int> stay;
@@ -138,7 +139,7 @@ void GrainTraffic::take_away(physics::ParticleDynamics& dynamics, const core::Co
         dynamics.history.reorder(stay);
     }
     ranks.sum(counts);
-    if (std::all_of(counts.begin(), counts.end() - 1, [](auto c) { return c == 0; })) return;
+    if (std::all_of(counts.begin(), counts.end() - 1, [](auto c) { return c == 0; })) return false;
     const auto sums = exact_sums(ranks, masses);
     for (std::size_t n = 0; n < outlets_.size(); ++n) {
         state_.taken[n].count += counts[n];
@@ -146,11 +147,13 @@ void GrainTraffic::take_away(physics::ParticleDynamics& dynamics, const core::Co
         state_.count -= counts[n];
     }
     state_.marks = (state_.marks + whole_doubles - counts.back() % whole_doubles) % whole_doubles;
+    return true;
 }
 
-void GrainTraffic::let_in(double time, const physics::OwnerOf& owner_of, physics::ParticleDynamics& dynamics,
+bool GrainTraffic::let_in(double time, const physics::OwnerOf& owner_of, physics::ParticleDynamics& dynamics,
                           const core::Communicator& ranks)
 {
+    const std::int64_t next = state_.next_id;
     for (std::size_t n = 0; n < inflows_.size(); ++n) {
         const core::ParticleSet& p = dynamics.particles;
         std::vector<Near> mine;
@@ -171,6 +174,7 @@ void GrainTraffic::let_in(double time, const physics::OwnerOf& owner_of, physics
         for (const core::Sphere& s : all) state_.marks = (state_.marks + mark_of(s.id)) % whole_doubles;
         add_grains(all, owner_of, ranks.rank(), dynamics);
     }
+    return state_.next_id != next;
 }
 
 } // namespace io

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Grains that come in and are taken away between steps, and the account of all: those at the start and those that came in, less those taken
+// Grains that come in and are taken away before a step, and the account of all: those at the start and those that came in, less those taken
 // away, are here.
 #include "core/comm/communicator.hpp"
 #include "io/scene/scene.hpp"
@@ -25,7 +25,8 @@ public:
     /// @param before  The grains of this rank when they were last here. @throws core::NumericsError that names ids, on all ranks.
     void check(const core::ParticleSet& grains, const core::ParticleSet& before, const core::Communicator& ranks) const;
     /// Takes away what has come into outlets, then lets in what is due and finds room. @pre no lists. Collective.
-    void pass(double time, const physics::OwnerOf& owner_of, physics::ParticleDynamics& dynamics, const core::Communicator& ranks);
+    /// @returns whether any came or went, on whatever rank.
+    bool pass(double time, const physics::OwnerOf& owner_of, physics::ParticleDynamics& dynamics, const core::Communicator& ranks);
 
     [[nodiscard]] bool is_open() const { return !inflows_.empty() || !outlets_.empty(); }
     [[nodiscard]] const std::vector<std::string>& inflow_names() const { return inflow_names_; }
@@ -63,8 +64,8 @@ public:
     }
 
 private:
-    void take_away(physics::ParticleDynamics& dynamics, const core::Communicator& ranks);
-    void let_in(double time, const physics::OwnerOf& owner_of, physics::ParticleDynamics& dynamics, const core::Communicator& ranks);
+    bool take_away(physics::ParticleDynamics& dynamics, const core::Communicator& ranks);
+    bool let_in(double time, const physics::OwnerOf& owner_of, physics::ParticleDynamics& dynamics, const core::Communicator& ranks);
 
     core::Domain domain_;
     std::vector<physics::Wall> walls_;

@@ -32,6 +32,10 @@ namespace io {
 /// What output.grains asks for: mean number of contacts with others; granular temperature, its mean over the volume of the grains [m2/s2];
 /// Lacey's index of the first species among the others: 0 where cells hold one kind, 1 where they hold what chance would give them.
 [[nodiscard]] MetricGroup measured_metrics(World& world);
+/// How far large ones lie above small ones: the difference of their mean heights over the mean diameter of the large, which are those above
+/// the middle of all sizes. Along each level periodic axis the amplitudes of one to four waves of the amount of grains over its mean.
+/// @pre gravity
+[[nodiscard]] MetricGroup segregation_metrics(World& world);
 /// Against gravity: mean and its standard error for each species, lowest and highest centre [m].
 [[nodiscard]] MetricGroup height_metrics(World& world);
 /// Volume of the solid in the cells [m3], its relative defect against the particles, largest solid fraction.

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <numbers>
 #include <numeric>
+#include <utility>
 
 namespace io {
 namespace {
@@ -22,8 +23,9 @@ enum CellSum : std::size_t {
     of_given = 15,
     of_push = 18,
     of_friction = 21,
-    of_volume = 24,
-    cell_sums = 25
+    of_through = 24,
+    of_volume = 27,
+    cell_sums = 28
 };
 enum GrainSum : std::size_t {
     of_grains,
@@ -55,14 +57,16 @@ core::Vec3 columns_at(const core::ParticleSet& grains, int first, std::size_t i)
 std::span<const MomentumImpulses::Line> MomentumImpulses::outer_lines()
 {
     using M = MomentumImpulses;
-    static constexpr std::array<Line, 8> lines{{{"drive", &M::drive},
-                                                {"weight", &M::weight},
-                                                {"wall_contact", &M::contact},
-                                                {"wall_pressure", &M::wall_pressure},
-                                                {"wall_friction", &M::wall_friction},
-                                                {"advection_defect", &M::advection},
-                                                {"gradient_defect", &M::gradient},
-                                                {"viscous_share", &M::viscous_share}}};
+    static constexpr std::array<Line, 10> lines{{{"drive", &M::drive},
+                                                 {"weight", &M::weight},
+                                                 {"wall_contact", &M::contact},
+                                                 {"wall_pressure", &M::wall_pressure},
+                                                 {"wall_friction", &M::wall_friction},
+                                                 {"traffic", &M::traffic},
+                                                 {"through", &M::through},
+                                                 {"advection_defect", &M::advection},
+                                                 {"gradient_defect", &M::gradient},
+                                                 {"viscous_share", &M::viscous_share}}};
     return lines;
 }
 
@@ -84,12 +88,24 @@ struct MomentumLedger::GrainSums {
     [[nodiscard]] core::Vec3 operator[](GrainSum first) const { return vector_at(values, first); }
 };
 
-MomentumLedger::MomentumLedger(World& world) : world_(world)
+MomentumLedger::MomentumLedger(World& world) : world_(world), totals_(present())
+{
+    remember_clock();
+    world.watch_traffic([this] { after_traffic(); });
+}
+
+MomentumTotals MomentumLedger::present() const
 {
     const CellSums cells = sum_cells(false);
     const GrainSums grains = sum_grains(core::Vec3::Zero());
-    totals_ = {cells[of_fluid], cells[of_ledger], grains[of_grains], grains[of_owed]};
-    remember_clock();
+    return {cells[of_fluid], cells[of_ledger], grains[of_grains], grains[of_owed]};
+}
+
+void MomentumLedger::after_traffic()
+{
+    const core::Vec3 before = totals_.sum();
+    totals_ = present();
+    brought_ += totals_.sum() - before;
 }
 
 void MomentumLedger::remember_clock()
@@ -153,6 +169,9 @@ void MomentumLedger::sum_walls(core::LocalBlock b, std::span<double> sum) const
     const auto& geometry = world_.mesh().geometry(b);
     const auto& walls = fluid.walls()[std::size_t(b)];
     const double dt = world_.clock().dt, viscosity = fluid.parameters().density * fluid.parameters().viscosity;
+    const auto flux = std::as_const(fluid.state()).flux.on(b);
+    add_vector(sum, of_through,
+               dt * fluid.parameters().density * physics::through_flow(geometry, walls, flux, fluid.state().velocity_before.on(b)));
     add_vector(sum, of_push, dt * physics::wall_push(geometry, walls, fluid.state().pressure.on(b), 1));
     if (!fluid.viscosity_system()) return;
     const physics::FaceFactors factors = fluid.fields().viscosity_ratio.on(b);
@@ -232,13 +251,15 @@ void MomentumLedger::update()
     const GrainSums grains = sum_grains(told);
     const MomentumTotals before = totals_;
     totals_ = {cells[of_fluid], cells[of_ledger], grains[of_grains], grains[of_owed]};
-    change_ = totals_.sum() - before.sum();
+    change_ = totals_.sum() - before.sum() + brought_;
+    impulses_.traffic = std::exchange(brought_, core::Vec3::Zero());
     impulses_.drive = parameters.density * dt * (cells.values[of_volume] + grains.values[of_solid]) * drive;
     impulses_.weight = dt * grains.values[of_mass] * gravity_of(world_.scene());
     impulses_.contact = grains[of_contact];
     impulses_.wall_pressure = cells[of_push];
     impulses_.wall_friction = cells[of_friction];
-    impulses_.advection = cells[of_advection];
+    impulses_.through = cells[of_through];
+    impulses_.advection = cells[of_advection] - impulses_.through;
     // What the drive gave beyond what grains were told stands among the gradients of the cells.
     impulses_.gradient = cells[of_gradients] - cells[of_push] - parameters.density * dt * world_.mesh().total_volume() * (drive - told);
     impulses_.viscous_share = cells[of_share];

@@ -24,6 +24,8 @@ struct MomentumImpulses {
     core::Vec3 contact = core::Vec3::Zero();       ///< of walls on grains: pairs cancel
     core::Vec3 wall_pressure = core::Vec3::Zero(); ///< from the pressure beside the walls
     core::Vec3 wall_friction = core::Vec3::Zero(); ///< from the viscous fluxes through the walls
+    core::Vec3 traffic = core::Vec3::Zero();       ///< of grains that came or went before the step, and of the fluid in their place
+    core::Vec3 through = core::Vec3::Zero();       ///< carried in and out through open boundaries
     core::Vec3 advection = core::Vec3::Zero();     ///< what interpolation at departure points made or lost, fluid content included
     core::Vec3 gradient = core::Vec3::Zero();      ///< sum of the pressure gradients in cells beyond the walls' push: 0 on uniform grids
     core::Vec3 viscous_share = core::Vec3::Zero(); ///< mean viscous stress on grains, beyond their share of the fluid's
@@ -45,6 +47,9 @@ class MomentumLedger {
 public:
     /// Takes the totals of the present state. Collective. @pre world.coupling(), compiled
     explicit MomentumLedger(World& world);
+    ~MomentumLedger() { world_.watch_traffic({}); }
+    MomentumLedger(const MomentumLedger&) = delete;
+    MomentumLedger& operator=(const MomentumLedger&) = delete;
 
     /// To be called after every step. Collective.
     void update();
@@ -66,14 +71,17 @@ private:
     void sum_step(core::LocalBlock b, std::span<double> sum) const;
     void sum_walls(core::LocalBlock b, std::span<double> sum) const;
     [[nodiscard]] GrainSums sum_grains(const core::Vec3& drive) const;
+    [[nodiscard]] MomentumTotals present() const;
+    void after_traffic();
     void remember_clock();
 
     World& world_;
     MomentumTotals totals_;
     MomentumImpulses impulses_;
     core::Vec3 change_ = core::Vec3::Zero();
-    double time_ = 0.0;     ///< at the start of the step to come
-    double implicit_ = 1.0; ///< its weight of the new time in the viscous term
+    core::Vec3 brought_ = core::Vec3::Zero(); ///< by traffic since the last step [N s]
+    double time_ = 0.0;                       ///< at the start of the step to come
+    double implicit_ = 1.0;                   ///< its weight of the new time in the viscous term
     physics::DriveState drive_;
 };
 

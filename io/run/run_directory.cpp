@@ -13,8 +13,8 @@ namespace {
 
 void remove_earlier_run(const RunDirectory& run)
 {
-    for (const auto& path : {run.scene(), run.log(), run.metrics(), run.checkpoints(), run.results(), run.frames(), run.trace(),
-                             run.report(), run.stop_file(), run.manifest()})
+    for (const auto& path : {run.scene(), run.log(), run.metrics(), run.profile(), run.checkpoints(), run.results(), run.frames(),
+                             run.trace(), run.report(), run.stop_file(), run.manifest()})
         fs::remove_all(path);
     for (int rank = 1; fs::remove(run.trace(rank)); ++rank) {}
 }

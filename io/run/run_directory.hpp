@@ -28,6 +28,7 @@ public:
     [[nodiscard]] std::filesystem::path manifest() const { return root_ / "manifest.json"; }
     [[nodiscard]] std::filesystem::path log() const { return root_ / "log.txt"; }
     [[nodiscard]] std::filesystem::path metrics() const { return root_ / "metrics.csv"; }
+    [[nodiscard]] std::filesystem::path profile() const { return root_ / "profile.csv"; }
     [[nodiscard]] std::filesystem::path checkpoints() const { return root_ / "checkpoints"; }
     [[nodiscard]] std::filesystem::path results() const { return root_ / "results"; }
     [[nodiscard]] std::filesystem::path frames() const { return root_ / "frames"; }

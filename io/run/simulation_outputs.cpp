@@ -20,6 +20,8 @@ SimulationOutputs::SimulationOutputs(World& world, const RunDirectory& directory
       checkpoint_clock_(world.scene().output.checkpoint, world.ranks()),
       metrics_(world, directory.metrics(), resumed ? std::optional(world.time()) : std::nullopt)
 {
+    if (world.grains() && world.scene().measures(GrainMeasure::profile))
+        profile_.emplace(world, directory.profile(), resumed ? std::optional(world.time()) : std::nullopt);
     if (wanted(world.scene().output.results)) results_.emplace(world, directory.results().string());
     if (wanted(world.scene().output.pictures)) pictures_.emplace(world, directory.frames());
     checkpoint_clock_.resume(now());
@@ -34,6 +36,7 @@ void SimulationOutputs::checkpoint()
     if (world_.clock().step == last_saved_step_) return;
     save_state(world_, directory_.checkpoints().string(), world_.scene().output.keep_checkpoints);
     metrics_.flush();
+    if (profile_) profile_->flush();
     last_saved_step_ = world_.clock().step;
 }
 
@@ -41,7 +44,10 @@ void SimulationOutputs::write_due()
 {
     const Moment moment = now();
     if (metrics_clock_.due(moment)) metrics_.write();
-    if (results_clock_.due(moment)) results_->write(world_, results_clock_.number());
+    if (results_clock_.due(moment)) {
+        results_->write(world_, results_clock_.number());
+        if (profile_) profile_->write(world_);
+    }
     if (pictures_clock_.due(moment)) {
         pictures_->draw(world_, pictures_clock_.number());
         if (const std::string warning = pictures_->take_warning(); !warning.empty()) log_.warning(warning);

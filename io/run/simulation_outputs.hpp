@@ -8,6 +8,7 @@
 #include "io/run/run_directory.hpp"
 #include "io/run/world_metrics.hpp"
 #include "io/run/world_pictures.hpp"
+#include "io/run/world_profile.hpp"
 #include "io/run/world_results.hpp"
 
 namespace io {
@@ -35,6 +36,7 @@ private:
     IntervalClock metrics_clock_, results_clock_, pictures_clock_, checkpoint_clock_;
     WorldMetrics metrics_;
     std::optional<WorldResults> results_;   ///< none where they are never due
+    std::optional<WorldProfile> profile_;   ///< if it is measured
     std::optional<WorldPictures> pictures_; ///< likewise
     std::int64_t last_saved_step_ = -1;
 };

@@ -177,6 +177,7 @@ const tasks::Plan& World::compile()
 void World::step(tasks::Executor& executor)
 {
     constexpr int most_attempts = 3;
+    if (traffic_ && traffic_->is_open()) pass_grains();
     before_.take(*this);
     for (int attempt = 1;; ++attempt) {
         try {
@@ -218,18 +219,19 @@ void World::try_step(tasks::Executor& executor)
     (mode == planned_mode_ ? executor : executor_of(mode)).run_step(now.step);
     now.advance();
     require_finite(*this);
-    if (grains_) pass_grains();
+    if (grains_) traffic_->check(grains_->particles, before_.particles(), ranks_);
     if (coupling_) ++steps_of_mode_[mode];
     if (fluid_ && axis_ && physics::turn_if_due(fluid_->parameters().drive, axis_speed(), now.time, now.drive)) now.steps_since_jump = 0;
 }
 
-/// What the account says must be here; then others may come and go.
+/// Each takes the place of fluid, or leaves it to fluid, that moves as its neighbours do.
 void World::pass_grains()
 {
-    traffic_->check(grains_->particles, before_.particles(), ranks_);
-    if (traffic_->is_open())
-        traffic_->pass(
-            clock().time, [this](const core::Vec3& x) { return owner_of(x); }, *grains_, ranks_);
+    const auto owner = [this](const core::Vec3& x) { return owner_of(x); };
+    if (!traffic_->pass(clock().time, owner, *grains_, ranks_)) return;
+    initialise();
+    if (coupling_ && scalars_) scalars_->begin(coupling_->fields().fraction);
+    if (after_traffic_) after_traffic_();
 }
 
 double World::axis_speed() const

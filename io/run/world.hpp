@@ -13,6 +13,7 @@
 #include "physics/steps/turbulence_step.hpp"
 #include "tasks/exchange_filler.hpp"
 #include "tasks/executor.hpp"
+#include <functional>
 #include <map>
 #include <set>
 
@@ -41,9 +42,13 @@ public:
     [[nodiscard]] physics::CoupledStep* coupling() { return coupling_ ? &*coupling_ : nullptr; }
     [[nodiscard]] const physics::CoupledStep* coupling() const { return coupling_ ? &*coupling_ : nullptr; }
 
+    /// How many grains of which sizes there were at the start, or may come in.
+    [[nodiscard]] const GrainCensus& census() const { return census_; }
     /// The account of grains that came in and were taken away; none without grains.
     [[nodiscard]] GrainTraffic* traffic() { return traffic_ ? &*traffic_ : nullptr; }
     [[nodiscard]] const GrainTraffic* traffic() const { return traffic_ ? &*traffic_ : nullptr; }
+    /// Calls `after` whenever grains have come or gone, before a step.
+    void watch_traffic(std::function<void()> after) { after_traffic_ = std::move(after); }
 
     [[nodiscard]] double time() const { return clock().time; }
     [[nodiscard]] const physics::FluidClock& clock() const { return fluid_ ? fluid_->state().clock : dry_clock_; }
@@ -133,6 +138,7 @@ private:
     std::optional<physics::ParticleDynamics> grains_;
     std::optional<physics::ParticleStepper> stepper_;
     std::optional<GrainTraffic> traffic_;
+    std::function<void()> after_traffic_;
     std::optional<physics::CoupledStep> coupling_;
     std::optional<tasks::Part<physics::ParticleDynamics>> dry_grains_;
     std::optional<tasks::Plan> plan_;

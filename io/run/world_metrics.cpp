@@ -21,6 +21,7 @@ std::vector<MetricGroup> state_metrics(World& world)
     if (world.grains() && !world.scene().output.grains.empty()) groups.push_back(measured_metrics(world));
     if (world.grains() && world.scene().gravity) groups.push_back(height_metrics(world));
     if (world.grains() && world.scene().measures(GrainMeasure::transport)) groups.push_back(bed_metrics(world));
+    if (world.grains() && world.scene().measures(GrainMeasure::segregation)) groups.push_back(segregation_metrics(world));
     if (world.coupling()) groups.push_back(solid_metrics(world));
     return groups;
 }

@@ -35,7 +35,7 @@ void describe(Schema& s, Boundary& p)
     s.value("kind",
             "wall: the fluid sticks to it; slip: no friction along it; symmetry: a plane that halves the flow; inflow: the velocity "
             "is given; outflow: the pressure is given, and what flows back was at rest; pressure: it is given, and what flows in keeps its "
-            "velocity",
+            "velocity. Particles go through none of them: 'outlets' take them away",
             choice_of(p.kind, boundary_kind_words));
     s.value("velocity", p.velocity, "m/s", "Of what flows in (with a profile, its mean), or of the wall");
     s.value("profile",

@@ -34,8 +34,8 @@ struct Run {
 };
 
 /// What is measured of the grains, beside their number, energy and heights.
-enum class GrainMeasure { contacts, motion, mixing, transport };
-inline constexpr std::array<std::string_view, 4> grain_measure_words{"contacts", "motion", "mixing", "transport"};
+enum class GrainMeasure { contacts, motion, mixing, transport, segregation, profile };
+inline constexpr std::array<std::string_view, 6> grain_measure_words{"contacts", "motion", "mixing", "transport", "segregation", "profile"};
 
 using EnergyBudget = physics::Budget;
 inline constexpr std::array<std::string_view, 2> energy_budget_words{"none", "kept"};

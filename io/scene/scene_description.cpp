@@ -33,11 +33,13 @@ static void describe(Schema& s, Output& p)
     s.value("pictures", p.pictures, "", "Pictures");
     s.value("checkpoint", p.checkpoint, "", "Checkpoints, from which a run goes on with the same bits");
     s.value("metrics", p.metrics, "", "Rows of metrics.csv");
-    s.value("grains",
-            "Measured of the grains, in metrics.csv and in the cells of results: contacts (coordination, stress), motion (fraction, mean "
-            "velocity, granular temperature), mixing (Lacey's index, metrics only), transport (what moves over a bed and the stress that "
-            "drives it, metrics only)",
-            choices_of(p.grains, grain_measure_words));
+    s.value(
+        "grains",
+        "Measured of the grains, in metrics.csv and in the cells of results: contacts (coordination, stress), motion (fraction, mean "
+        "velocity, granular temperature), mixing (Lacey's index, metrics only), transport (what moves over a bed and the stress that "
+        "drives it, metrics only), segregation (large above small, waves of a bed; metrics only), profile (layers of a bed in profile.csv, "
+        "with each of the results)",
+        choices_of(p.grains, grain_measure_words));
     s.value("keep_checkpoints", p.keep_checkpoints, "", "Newest checkpoints that are kept", at_least(1));
     s.value("energy_budget", "Where the energy of the particles goes, in metrics.csv: kept costs some time in every contact",
             choice_of(p.energy_budget, energy_budget_words));

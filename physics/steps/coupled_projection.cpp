@@ -25,6 +25,9 @@ void CoupledStep::declare_boundaries(tasks::StageGraph& graph)
     for (core::ScalarField* field : {&fields_.fraction, &fields_.mobility, &fields_.known_mobility})
         graph.boundary(*field, "walls of " + field->info().name,
                        [this](LocalBlock b, View<double> q) { mirror_even(fluid_.walls()[std::size_t(b)], 1, q); });
+    if (any_boundary(mesh_, fluid_.parameters().boundaries, gives_pressure))
+        graph.boundary(fields_.carried, "walls of the flux of the mixture",
+                       [this](LocalBlock b, VectorView<double> q) { mirror_velocity(fluid_.walls()[std::size_t(b)], 1, q); });
 }
 
 /// The fluxes are the mixture's: what carries the fluid is its part of them.
@@ -150,7 +153,7 @@ void CoupledStep::declare_volume_flux(tasks::StageGraph& graph, core::FieldBatch
                const FluidClock& clock, FaceView<double> known_faces, FaceView<double> scratch, FaceView<double> flux) {
             face_mobility(geometry(b), known, known_faces);
             gradient_flux(geometry(b), p, gp, scratch);
-            close_walls(fluid_.walls()[std::size_t(b)], scratch);
+            pressure_wall_flux(geometry(b), fluid_.walls()[std::size_t(b)], p, scratch);
             map_faces(
                 flux, [](double q, double m, double s) { return q - m * s; }, flux, known_faces, scratch);
             sum_sub_faces(geometry(b), flux);
@@ -183,7 +186,7 @@ void CoupledStep::declare_projection(tasks::StageGraph& graph)
         [this](LocalBlock b, View<const double> psi, Vectors g, FaceView<const double> mobility, FaceView<const double> predicted,
                FaceView<double> scratch, FaceView<double> flux) {
             gradient_flux(geometry(b), psi, g, scratch);
-            close_walls(fluid_.walls()[std::size_t(b)], scratch);
+            pressure_wall_flux(geometry(b), fluid_.walls()[std::size_t(b)], psi, scratch);
             map_faces(
                 flux, [](double q, double m, double s) { return q - m * s; }, predicted, mobility, scratch);
             sum_sub_faces(geometry(b), flux);

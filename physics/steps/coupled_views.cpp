@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 // CoupledStep, what grains see of the fluid: the state that they are told, and the answer to what they did.
+#include "physics/fluid/boundary_halo.hpp"
 #include "physics/fluid/cell_loops.hpp"
 #include "physics/fluid/gradient.hpp"
 #include "physics/steps/batch_filter.hpp"
@@ -47,7 +48,7 @@ tasks::Job CoupledStep::tell_state(tasks::Lane& lane)
     if (viscous()) co_await fluid_.find_viscous_acceleration(lane, fields_.viscous);
     for (LocalBlock b = 0; b < mesh_.own_count(); ++b) {
         const auto told = fields_.told.on(b);
-        mirror_even(fluid_.walls()[std::size_t(b)], 1, state.pressure.on(b));
+        mirror_pressure(fluid_.walls()[std::size_t(b)], 1, state.pressure.on(b));
         view_state(b, state.velocity.on(b), state.pressure.on(b), fields_.acceleration.on(b), told);
         if (viscous()) view_stress_in(std::span(told).subspan(view_stress), fields_.viscous.on(b));
     }

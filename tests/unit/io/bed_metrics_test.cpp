@@ -22,7 +22,7 @@ TEST_CASE("a bed ends where grains fill 8 %, and moves down to where their speed
     io::BedLayers layers;
     layers.lowest = -1.0;
     layers.thickness = 0.5;
-    layers.area = 2.0;
+    layers.room = std::vector<double>(6, 1.0);
     layers.solid = {0.6, 0.6, 0.6, 0.4, 0.06, 0.0};     // fractions 0.6 0.6 0.6 0.4 0.06 0
     layers.motion = {0.0, 0.0, 0.012, 0.08, 0.03, 0.0}; // speeds 0 0 0.02 0.2 0.5
     const io::MovingLayer moving = io::moving_layer(layers, 0.01);

@@ -97,8 +97,6 @@ TEST_CASE("particles come in and go out of whole regions of the domain, at one r
     const auto outlets = [](const std::string& list) { return with("contact:", "outlets: [ " + list + " ]\ncontact:", dry); };
     CHECK(problem_of(outlets("{ name: a, sphere: { centre: [0 m, 0 m, 0 m], radius: 1 mm } }")) == "");
     CHECK(problem_of(outlets("{ name: a, low: [0 m, 0 m, 0 m] }")) == "5:12 a region is needed");
-    CHECK(problem_of(with("contact:", "outlets: [ { name: a, sphere: { centre: [0 m, 0 m, 0 m], radius: 1 mm } } ]\ncontact:"))
-              .starts_with("10:1 particles cannot be taken away beside a fluid yet"));
 }
 
 TEST_CASE("tables of grains are read with their species by name or number, and mistakes are named by line and column")

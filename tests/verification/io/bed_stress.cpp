@@ -40,7 +40,7 @@ TEST_CASE("the stress on a bed is the drive times the height of the fluid above 
         ledger.update();
     }
     const double top = moving.values()[3], area = 16e-3 * 12e-3;
-    const io::BedLayers layers = io::bed_layers(world);
+    const io::BedLayers layers = io::BedLayering(world).of(world);
     double above = 0; // of the layer that the top cuts, its share
     for (std::size_t n = 0; n < layers.solid.size(); ++n)
         above += layers.solid[n] * std::clamp(double(n + 1) - (top - layers.lowest) / layers.thickness, 0.0, 1.0);

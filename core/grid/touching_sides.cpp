@@ -105,8 +105,11 @@ void require_turn_joins(const MultiBlock& grid, const Topology& topology)
             if (!boxes_touch(box_of(tiling_a), box_of(tiling_b))) continue;
             const double share =
                 shared_area(block_a, tiling_a, block_b, tiling_b, Vec3::Zero()) / std::min(area_of(tiling_a), area_of(tiling_b));
-            require<ConfigError>(share <= smallest_share, text(words(*grid.turn), " lays ", name(a), " on ", name(b),
-                                                               ", but their points do not match: give both the same points"));
+            const bool itself = a.block == b.block && a.side == b.side;
+            require<ConfigError>(share <= smallest_share,
+                                 text(words(*grid.turn), " lays ", name(a), " on ",
+                                      itself ? std::string("itself: cut the block at the axis")
+                                             : name(b) + ", but their points do not match: give both the same points"));
         }
     }
     require<ConfigError>(topology.turns(), text(words(*grid.turn), " lays no side of the grid on another: give the angle and the axis of "

@@ -30,6 +30,10 @@ void check_keys(const Boundary& boundary, const std::string& path, const Locatio
         problems.add(locations.at(path + ".over_time"), fmt::format("'over_time' means nothing for kind: {}", kind), "remove it");
     if (boundary.velocity && !with_velocity)
         problems.add(locations.at(path + ".velocity"), fmt::format("'velocity' means nothing for kind: {}", kind), "remove it");
+    if (boundary.spin && boundary.kind != BoundaryKind::wall)
+        problems.add(locations.at(path + ".spin"), fmt::format("'spin' means nothing for kind: {}", kind),
+                     "remove it, or write kind: wall");
+    if (boundary.spin && boundary.velocity) problems.add(locations.at(path + ".spin"), "'spin' excludes 'velocity'", "keep one of the two");
     if (boundary.pressure && !physics::gives_pressure(boundary.kind))
         problems.add(locations.at(path + ".pressure"), fmt::format("'pressure' means nothing for kind: {}", kind),
                      "remove it, or write kind: outflow or kind: pressure");
@@ -61,10 +65,12 @@ void check_fluxes(const Scene& scene, const BoundarySides& sides, const Location
         const std::string path = fmt::format("fluid.boundaries.{}", n);
         known =
             known && !physics::gives_pressure(boundary.kind) && !boundary.profile && boundary.profile_file.empty() && !boundary.over_time;
-        if (!boundary.velocity || boundary.velocity->isZero() || !locations.good(path)) continue;
-        const FlowThrough flow = sides.flow_through(boundary.at, *boundary.velocity);
+        const bool flows = boundary.velocity && !boundary.velocity->isZero();
+        if (!(flows || boundary.spin) || !locations.good(path)) continue;
+        const FlowThrough flow = sides.flow_through(
+            boundary.at, [&](const core::Vec3& x) { return boundary.spin ? boundary.spin->velocity(x) : *boundary.velocity; });
         if (boundary.kind == BoundaryKind::wall && flow.steepest > slight)
-            problems.add(locations.at(path + ".velocity"),
+            problems.add(locations.at(path + (boundary.spin ? ".spin" : ".velocity")),
                          fmt::format("the wall '{}' would move through the fluid at {}", boundary.at, flow.face),
                          "a wall moves along itself; write kind: inflow where fluid goes through");
         if (boundary.kind == BoundaryKind::inflow && flow.magnitudes <= slight * flow.area * boundary.velocity->norm())

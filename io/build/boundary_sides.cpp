@@ -13,7 +13,7 @@ BoundarySides::BoundarySides(const Grid& grid) : blocks_(make_blocks(grid)), top
 
 std::vector<std::string> BoundarySides::names() const { return boundary_names(topology_); }
 
-FlowThrough BoundarySides::flow_through(const std::string& name, const core::Vec3& velocity) const
+FlowThrough BoundarySides::flow_through(const std::string& name, const std::function<core::Vec3(const core::Vec3&)>& velocity) const
 {
     FlowThrough all;
     for (const core::Boundary& boundary : topology_.boundaries) {
@@ -21,11 +21,12 @@ FlowThrough BoundarySides::flow_through(const std::string& name, const core::Vec
         const core::Side side = boundary.side;
         const core::Vertices& vertices = blocks_.blocks[std::size_t(boundary.block)];
         physics::for_each_side_face(core::cells_of(vertices), side, [&](int i, int j, int k) {
-            const core::Vec3 area = core::face_shape(core::face_corners(vertices, core::axis_of(side), {i, j, k})).area;
-            const double flux = area.dot(velocity), sine = std::abs(flux) / (area.norm() * velocity.norm());
+            const core::FaceShape face = core::face_shape(core::face_corners(vertices, core::axis_of(side), {i, j, k}));
+            const core::Vec3 v = velocity(face.centre);
+            const double flux = face.area.dot(v), sine = std::abs(flux) / (face.area.norm() * v.norm());
             all.net += core::is_high(side) ? flux : -flux;
             all.magnitudes += std::abs(flux);
-            all.area += area.norm();
+            all.area += face.area.norm();
             if (!(sine > all.steepest)) return;
             const core::Index3 cell = physics::cell_at_face({i, j, k}, side);
             all.steepest = sine;

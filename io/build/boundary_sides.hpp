@@ -4,10 +4,11 @@
 // The sides of blocks that are the boundaries of a scene's grid, before there is a mesh.
 #include "core/grid/topology.hpp"
 #include "io/scene/scene.hpp"
+#include <functional>
 
 namespace io {
 
-/// What a uniform velocity carries through a boundary.
+/// What a velocity carries through a boundary.
 struct FlowThrough {
     double net = 0;        ///< out of the domain [m3/s]
     double magnitudes = 0; ///< sum over the faces [m3/s]
@@ -23,8 +24,8 @@ public:
 
     /// Names of the boundaries, in the order of the alphabet.
     [[nodiscard]] std::vector<std::string> names() const;
-    /// @param velocity  Not zero [m/s].
-    [[nodiscard]] FlowThrough flow_through(const std::string& name, const core::Vec3& velocity) const;
+    /// @param velocity  By place; where it is zero it has no angle [m/s].
+    [[nodiscard]] FlowThrough flow_through(const std::string& name, const std::function<core::Vec3(const core::Vec3&)>& velocity) const;
 
 private:
     core::MultiBlock blocks_;

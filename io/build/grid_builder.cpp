@@ -8,6 +8,7 @@
 #include "core/grid/elliptic_grid.hpp"
 #include "core/grid/pipe.hpp"
 #include "core/grid/stepped_channel.hpp"
+#include "core/grid/touching_sides.hpp"
 #include "core/grid/wavy_box.hpp"
 #include "io/build/imported_blocks.hpp"
 #include <set>
@@ -61,6 +62,7 @@ core::MultiBlock blocks_of(const AnnulusGrid& annulus, const Grid& grid)
     a.blocks = {annulus.blocks_along, annulus.blocks_outwards, annulus.blocks_around};
     a.growth = annulus.growth;
     a.periodic = grid.is_periodic(0);
+    a.angle = annulus.angle;
     return core::make_annulus(a);
 }
 
@@ -104,6 +106,12 @@ core::MultiBlock blocks_of(const SteppedChannelGrid& channel, const Grid& grid)
     return core::make_stepped_channel(c);
 }
 
+std::optional<core::PeriodicTurn> turn_of(const Grid& grid)
+{
+    if (!grid.turn) return std::nullopt;
+    return core::PeriodicTurn{grid.turn->axis, grid.turn->point, grid.turn->angle};
+}
+
 core::MultiBlock blocks_of_shape(const Grid& grid)
 {
     if (grid.pipe) return blocks_of(*grid.pipe, grid.is_periodic(0));
@@ -113,7 +121,7 @@ core::MultiBlock blocks_of_shape(const Grid& grid)
     if (grid.bent_pipe) return blocks_of(*grid.bent_pipe, grid);
     if (grid.stepped_channel) return blocks_of(*grid.stepped_channel, grid);
     core::require<core::ConfigError>(grid.blocks.has_value(), "the scene has no grid");
-    return import_blocks(*grid.blocks, grid.periodic_axes());
+    return import_blocks(*grid.blocks, grid.periodic_axes(), turn_of(grid));
 }
 
 core::EllipticGrid elliptic_of(const EllipticKeys& keys)
@@ -146,11 +154,19 @@ void generate_inside(const EllipticKeys& keys, core::MultiBlock& blocks)
 core::MultiBlock make_blocks(const Grid& grid)
 {
     core::MultiBlock blocks = blocks_of_shape(grid);
+    blocks.turn = turn_of(grid);
     core::require<core::ConfigError>(
         !grid.elliptic || blocks.contacts.empty(),
         "insides of blocks whose points do not match where they touch cannot be generated yet: remove 'elliptic'");
     if (grid.elliptic) generate_inside(*grid.elliptic, blocks);
     return blocks;
+}
+
+void require_turn_joins(const Grid& grid)
+{
+    core::MultiBlock made = make_blocks(grid);
+    const core::Topology topology = core::match_sides(made);
+    core::require_turn_joins(made, topology);
 }
 
 GridMeasure measured(const Grid& grid)

@@ -13,6 +13,10 @@ namespace io {
 /// @throws core::ConfigError if they cannot be made.
 [[nodiscard]] core::MultiBlock make_blocks(const Grid& grid);
 
+/// Makes the grid and checks what its turn lays on each other.
+/// @throws core::ConfigError naming the sides.
+void require_turn_joins(const Grid& grid);
+
 /// What the blocks fill. Along a periodic axis the box is one period long.
 /// @throws core::ConfigError naming block and cell if a cell is folded or flat, or blocks lie in one another, or a side if it meets
 ///         several others.

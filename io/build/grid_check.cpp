@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <numbers>
 
 namespace io {
 
@@ -22,6 +23,7 @@ public:
         if (grid_.box) check_box(*grid_.box);
         if (grid_.bent_pipe) check_bent_pipe(*grid_.bent_pipe);
         check_periodic();
+        if (grid_.turn) check_turn(*grid_.turn);
     }
 
     /// Makes the grid. What a generator or file complains of is a problem of the shape's key.
@@ -33,6 +35,13 @@ public:
             if (!grid_.is_primitive()) grid_.measure = all;
         } catch (const core::ConfigError& error) {
             complain(fmt::format("grid.{}", grid_.elliptic ? "elliptic" : grid_.shape()), error.what(), "");
+            locations_.spoil("grid");
+            return;
+        }
+        try {
+            if (grid_.turn) require_turn_joins(grid_);
+        } catch (const core::ConfigError& error) {
+            complain("grid.turn", error.what(), "");
             locations_.spoil("grid");
         }
     }
@@ -99,6 +108,21 @@ private:
         if (grid_.pipe || grid_.annulus) return {Axis::axial, Axis::x};
         if (grid_.stepped_channel) return {Axis::x, Axis::z};
         return {Axis::x, Axis::y, Axis::z};
+    }
+
+    void check_turn(const TurnKeys& turn)
+    {
+        constexpr double parallel = 1e-9; // sine of an angle
+        const double whole = 2 * std::numbers::pi;
+        if (locations_.good("grid.turn.angle") && (turn.angle == 0 || std::abs(turn.angle) >= whole))
+            complain("grid.turn.angle", "the angle of a turn lies between 0 and 360 degrees",
+                     "write that of the sector that the grid fills");
+        if (!all_good({"grid.turn", "grid.periodic"})) return;
+        for (int axis = 0; axis < 3; ++axis)
+            if (grid_.is_periodic(axis) && turn.axis.cross(core::Vec3::Unit(axis)).norm() > parallel)
+                complain("grid.periodic",
+                         fmt::format("the grid repeats along {}, across the axis of its turn", axis_words[std::size_t(axis) + 1]),
+                         "keep only the axis that the turn is about");
     }
 
     void check_periodic()

@@ -138,7 +138,7 @@ void check_names(core::MultiBlock grid, const std::vector<core::CoveredSide>& co
 
 } // namespace
 
-core::MultiBlock import_blocks(const ImportedGrid& grid, const std::array<bool, 3>& periodic)
+core::MultiBlock import_blocks(const ImportedGrid& grid, const std::array<bool, 3>& periodic, const std::optional<core::PeriodicTurn>& turn)
 {
     Plot3d file = read_plot3d(grid.file);
     core::MultiBlock result;
@@ -150,6 +150,7 @@ core::MultiBlock import_blocks(const ImportedGrid& grid, const std::array<bool, 
         result.blocks.push_back(is_turned.back() ? turned(block) : std::move(block));
     }
     add_periods(result, grid.period, periodic);
+    result.turn = turn;
     const auto names = names_of(grid, result.blocks.size());
     const core::MultiBlock as_read = result;
     result.boundary_name = [names, is_turned, other = grid.other_sides.value_or("")](BlockId block, Side side) {

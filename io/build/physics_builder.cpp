@@ -43,6 +43,7 @@ physics::BoundaryCondition condition_of(const Boundary& boundary)
                                  .laminar = boundary.profile == InflowProfile::laminar,
                                  .pressure = boundary.pressure.value_or(0.0)};
     if (!boundary.profile_file.empty()) c.profile = physics::interpolated_velocity(velocity_points(boundary.profile_file));
+    if (boundary.spin) c.profile = [spin = *boundary.spin](const core::Vec3& x) { return spin.velocity(x); };
     if (boundary.over_time) c.course = course_of(*boundary.over_time);
     return c;
 }

@@ -26,6 +26,7 @@ public:
             complain("", "the scene has neither 'fluid' nor 'particles'", "add one of them");
         if (scene_.fluid) check_boundaries(scene_, locations_, problems_);
         if (scene_.fluid && scene_.fluid->drive) check_drive(*scene_.fluid->drive);
+        if (scene_.grid.turn) check_turn(scene_, locations_, problems_);
         check_particles(scene_, locations_, problems_);
         check_company();
         check_walls(scene_, locations_, problems_);

@@ -29,6 +29,13 @@ void describe(Schema& s, Material& p)
     s.required("viscosity", p.viscosity, "m2/s", "Kinematic viscosity; 0 is an inviscid fluid", not_negative);
 }
 
+void describe(Schema& s, SpinKeys& p)
+{
+    s.required("rate", p.rate, "rad/s", "Angular velocity, for example '15 rpm'; negative turns the other way");
+    s.value("axis", "Direction of the axis; the wall turns about it by the right-hand rule", direction_of(p.axis));
+    s.value("point", p.point, "m", "A point of the axis");
+}
+
 void describe(Schema& s, Boundary& p)
 {
     s.required("at", p.at, "", "Name of the boundary: wall, x_low and x_high of a pipe, x_low to z_high of a box, and so on");
@@ -43,6 +50,7 @@ void describe(Schema& s, Boundary& p)
             choice_of(p.profile, inflow_profile_words));
     s.value("profile_file", p.profile_file, "",
             "A text file with a point of the inflow on each line, x y z in m and u v w in m/s, instead of the velocity");
+    s.group("spin", p.spin, "Makes a round wall turn in itself, instead of a velocity");
     s.group("over_time", p.over_time, "Makes the velocity change in time: a factor, by a formula or a table");
     s.value("pressure", p.pressure, "Pa", "Where it is given, without the weight of the fluid; 0 without it");
 }

@@ -51,6 +51,15 @@ struct Material {
 enum class InflowProfile { uniform, laminar };
 inline constexpr std::array<std::string_view, 2> inflow_profile_words{"uniform", "laminar"};
 
+/// How a wall turns in itself, by the right-hand rule.
+struct SpinKeys {
+    core::Vec3 axis = core::Vec3::UnitX(), point = core::Vec3::Zero(); ///< [-], [m]
+    double rate = 0.0;                                                 ///< [rad/s]
+    bool operator==(const SpinKeys&) const = default;
+
+    [[nodiscard]] core::Vec3 velocity(const core::Vec3& x) const { return rate * axis.cross(x - point); }
+};
+
 /// What holds on one boundary of the grid.
 struct Boundary {
     std::string at; ///< Name of the boundary.
@@ -59,6 +68,7 @@ struct Boundary {
     std::optional<double> pressure;       ///< Where it is given; 0 without it [Pa].
     std::optional<InflowProfile> profile; ///< Of an inflow whose mean is `velocity`; uniform without it.
     std::string profile_file;             ///< Points instead of `velocity`; absolute once the scene is read.
+    std::optional<SpinKeys> spin;         ///< Of a wall that turns.
     std::optional<CourseKeys> over_time;
     bool operator==(const Boundary&) const = default;
 };
@@ -107,6 +117,7 @@ struct Fluid {
 void describe(Schema& s, ReverseAt& p);
 void describe(Schema& s, Drive& p);
 void describe(Schema& s, Material& p);
+void describe(Schema& s, SpinKeys& p);
 void describe(Schema& s, Boundary& p);
 void describe(Schema& s, ScalarEntry& p);
 void describe(Schema& s, Scalar& p);

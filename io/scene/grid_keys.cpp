@@ -78,6 +78,13 @@ void describe(Schema& s, BoxGrid& p)
     s.value("blocks", p.blocks, "", "Blocks along each edge; each divides the cells", at_least(1));
 }
 
+void describe(Schema& s, TurnKeys& p)
+{
+    s.required("angle", p.angle, "rad", "Angle of the turn, by the right-hand rule; negative turns the other way");
+    s.value("axis", "Direction of its axis", direction_of(p.axis));
+    s.value("point", p.point, "m", "A point of its axis");
+}
+
 void describe(Schema& s, Grid& p)
 {
     s.exactly_one({"pipe", "box", "wavy_box", "annulus", "bent_pipe", "stepped_channel", "blocks"});
@@ -89,6 +96,7 @@ void describe(Schema& s, Grid& p)
     s.group("stepped_channel", p.stepped_channel, "A channel whose floor steps down; with periodic ends, one with a trench");
     s.group("blocks", p.blocks, "Blocks from a file");
     s.group("elliptic", p.elliptic, "Generate the insides of all blocks by a Poisson system, from what lies on their sides");
+    s.group("turn", p.turn, "A turn that carries the domain onto itself: sides that it lays on each other are joined");
     s.value("periodic", "Axes along which the domain repeats", choices_of(p.periodic, axis_words));
 }
 

@@ -55,6 +55,13 @@ struct BoxGrid {
     bool operator==(const BoxGrid&) const = default;
 };
 
+/// A turn that carries the domain onto itself, by the right-hand rule.
+struct TurnKeys {
+    double angle = 0.0;                                                ///< [rad]
+    core::Vec3 axis = core::Vec3::UnitX(), point = core::Vec3::Zero(); ///< [-], [m]
+    bool operator==(const TurnKeys&) const = default;
+};
+
 /// What a grid fills.
 struct GridMeasure {
     core::Vec3 low = core::Vec3::Zero(), high = core::Vec3::Zero(); ///< corners of the box around it [m]
@@ -73,6 +80,7 @@ struct Grid {
     std::optional<ImportedGrid> blocks;
     std::optional<EllipticKeys> elliptic;
     std::vector<Axis> periodic;         ///< `axial` is the axis of a pipe or annulus, the same as `x`.
+    std::optional<TurnKeys> turn;       ///< Sides that it lays on each other are joined.
     std::optional<GridMeasure> measure; ///< Of shapes other than the pipe and the box, once they have been made.
     bool operator==(const Grid&) const = default;
 
@@ -81,7 +89,7 @@ struct Grid {
     /// Is it one whose walls are planes and a cylinder?
     [[nodiscard]] bool is_primitive() const { return pipe || box; }
     /// Must it be made to know what is in it?
-    [[nodiscard]] bool is_made() const { return !is_primitive() || elliptic; }
+    [[nodiscard]] bool is_made() const { return !is_primitive() || elliptic || turn; }
     /// The key of the shape; empty if none is given.
     [[nodiscard]] std::string shape() const;
     /// The box around the domain [m].
@@ -93,6 +101,7 @@ struct Grid {
 void describe(Schema& s, PipeCells& p);
 void describe(Schema& s, PipeGrid& p);
 void describe(Schema& s, BoxGrid& p);
+void describe(Schema& s, TurnKeys& p);
 void describe(Schema& s, Grid& p);
 
 } // namespace io

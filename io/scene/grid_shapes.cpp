@@ -61,6 +61,8 @@ void describe(Schema& s, AnnulusGrid& p)
     s.value("blocks_outwards", p.blocks_outwards, "", "Blocks from the inner to the outer wall", at_least(1));
     s.value("blocks_around", p.blocks_around, "", "Blocks around the axis", at_least(1));
     s.value("growth", p.growth, "1", "Size of the outermost cell over that of the innermost", positive);
+    s.value("angle", p.angle, "rad", "Angle of a sector, from y towards z, with 'grid.turn' to join its ends; without it, all round",
+            positive);
 }
 
 void describe(Schema& s, PipePieceGrid& p)

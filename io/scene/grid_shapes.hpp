@@ -28,7 +28,8 @@ struct AnnulusGrid {
     double inner_diameter = 0.0, outer_diameter = 0.0, length = 0.0; ///< [m]
     int cells_along = 16, cells_outwards = 8, cells_around = 32;
     int blocks_along = 1, blocks_outwards = 1, blocks_around = 2;
-    double growth = 1.0; ///< size of the outermost cell over that of the innermost
+    double growth = 1.0;         ///< size of the outermost cell over that of the innermost
+    std::optional<double> angle; ///< of a sector [rad]
     bool operator==(const AnnulusGrid&) const = default;
 };
 

@@ -37,6 +37,7 @@ CoupledStep::CoupledStep(const core::Locator& locator, const core::Communicator&
       kept_("grains at the start"),
       assumed_("assumed grains")
 {
+    core::require<core::ConfigError>(!mesh_.topology().turns(), "grains cannot pass sides that are joined by a turn yet");
     fields_.fraction.allocate();
     fields_.acceleration.allocate();
     fields_.ledger.allocate();

@@ -113,4 +113,15 @@ TEST_CASE("a turn that joins nothing, or whose sides have other points, is refus
     const std::string text = refusal(graded);
     CHECK_MESSAGE(text.find("side k_low of block 0") != std::string::npos, text);
     CHECK(text.find("side j_low of block 0, but their points do not match") != std::string::npos);
+    // Half of a duct: the turn lays its flat side on itself.
+    core::MultiBlock half = core::make_box({{0, -1, 0}, {1, 1, 1}, {4, 4, 4}, {1, 1, 1}, {true, false, false}});
+    half.turn = core::PeriodicTurn{axis, Vec3::Zero(), std::numbers::pi};
+    CHECK(refusal(half).find("lays side k_low of block 0 on itself: cut the block at the axis") != std::string::npos);
+}
+
+TEST_CASE("half of a duct that is cut at the axis is joined to itself by half a turn")
+{
+    core::MultiBlock half = core::make_box({{0, -1, 0}, {1, 1, 1}, {4, 4, 4}, {1, 2, 1}, {true, false, false}});
+    half.turn = core::PeriodicTurn{axis, Vec3::Zero(), std::numbers::pi};
+    CHECK(halo_error(half) < 1e-13);
 }

@@ -42,6 +42,23 @@ output: { checkpoint: never, results: never, pictures: never }
 """
 
 
+SECTOR = """
+name: a sector whose ends are joined by a turn
+grid:
+  annulus: { inner_diameter: 20 mm, outer_diameter: 40 mm, length: 20 mm, angle: 60 degrees, cells_along: 8, cells_outwards: 8,
+             cells_around: 4, blocks_along: 2, blocks_outwards: 1, blocks_around: 2 }
+  periodic: [axial]
+  turn: { angle: 60 degrees }
+fluid:
+  oil: { density: 1000 kg/m3, viscosity: 1e-4 m2/s }
+  boundaries: [{ at: inner, spin: { rate: 10 rad/s }, over_time: { frequency: 20 Hz } }]
+  drive: { bulk_velocity: 0.1 m/s }
+  scalars: [{ name: dye, diffusivity: 1e-5 m2/s, initial: 1 }]
+run: { until: 40 ms, time_step: 2 ms }
+output: { checkpoint: never, results: never, pictures: never }
+"""
+
+
 @dataclasses.dataclass
 class Case:
     """A scene, and times [ms] at which to stop: in the middle, for restarts, and at the end."""
@@ -66,6 +83,7 @@ def cases(long):
     forces = ["drag=beetstra", "added_mass=zuber", "shear_lift=on", "history=on", "own_disturbance=on"]  # and, with them, a mixture of sizes
     all_cases["forces"] = Case(pipe_file, [*pipe, *(f"coupling.{f}" for f in forces)], 1, 2)
     all_cases["lid"] = Case(LID, [], 4, 8)
+    all_cases["sector"] = Case(SECTOR, [], 10, 20)
     # The same pipe, its flow prescribed: keys of a drive exclude each other, so the text has another one.
     text = pathlib.Path(pipe_file, "scene.yaml").read_text()
     drive = "drive: { bulk_velocity: 0.5 m/s, over_time: { frequency: 40 Hz, mean: 1, amplitude: 0.5 } }"

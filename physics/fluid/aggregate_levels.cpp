@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "physics/fluid/aggregate_levels.hpp"
 
-#include <numeric>
+#include "physics/fluid/graph_cycle.hpp"
 
 namespace physics {
 namespace {
@@ -59,7 +59,7 @@ void for_each_link(const MultigridLevel& level, std::ptrdiff_t cell, Body body)
 void AggregateLevels::join_cells(const core::Team& team, MultigridLevel& finest)
 {
     const BlockLayout& layout = finest.mesh.layout;
-    constexpr double bound = 10.0; // of condition numbers: 8 takes two iterations less and twice as many levels
+    constexpr double bound = 11.0; // of condition numbers: 10 takes no iteration less, and more memory and time; with 14 layers take 24
     layout.for_pieces(team, [&](int n) { coefficient_sums(finest.mesh, finest.matrix, n, 3, finest.residual.data()); });
     parent_.assign(layout.size(), -1);
     counts_.assign(owner_.size(), -1.0);
@@ -139,6 +139,8 @@ void AggregateLevels::finish(bool singular)
         if (next.matrix.nodes() == levels_.back().matrix.nodes()) break;
         levels_.push_back(std::move(next));
     }
+    for (std::size_t l = 0; l + 1 < levels_.size(); ++l) // smaller ones have few below them, and cost little if they are solved less well
+        if (levels_[l].matrix.nodes() > 3 * coarsest_nodes_) levels_[l].expect_two_visits();
     const GraphMatrix& last = levels_.back().matrix;
     entries_.clear();
     for (int n = 0; n < last.nodes(); ++n) {
@@ -165,29 +167,7 @@ void AggregateLevels::gather(const core::Team& team, const MultigridLevel& fines
     });
 }
 
-void AggregateLevels::cycle(const core::Team& team)
-{
-    for (std::size_t l = 0; l + 1 < levels_.size(); ++l) {
-        GraphLevel &fine = levels_[l], &coarse = levels_[l + 1];
-        smooth_from_zero(team, fine);
-        form_residual(team, fine);
-        std::fill(coarse.right.begin(), coarse.right.end(), 0.0F);
-        for (std::size_t n = 0; n < fine.parent.size(); ++n)
-            if (fine.parent[n] >= 0) coarse.right[std::size_t(fine.parent[n])] += fine.residual[n];
-    }
-    const auto values = factors_.values();
-    GraphLevel& last = levels_.back();
-    std::copy(last.right.begin(), last.right.end(), values.begin());
-    factors_.solve();
-    std::transform(values.begin(), values.end(), last.solution.begin(), [](double v) { return float(v); });
-    for (std::size_t l = levels_.size() - 1; l-- > 0;) {
-        GraphLevel& fine = levels_[l];
-        const GraphLevel& coarse = levels_[l + 1];
-        for (std::size_t n = 0; n < fine.parent.size(); ++n)
-            if (fine.parent[n] >= 0) fine.solution[n] += over_correction * coarse.solution[std::size_t(fine.parent[n])];
-        smooth(team, fine);
-    }
-}
+void AggregateLevels::cycle(const core::Team& team) { gain_ = GraphCycle(team, levels_, factors_).solve(0); }
 
 void AggregateLevels::correct(const core::Team& team, MultigridLevel& finest) const
 {
@@ -195,7 +175,7 @@ void AggregateLevels::correct(const core::Team& team, MultigridLevel& finest) co
     finest.mesh.layout.for_pieces(team, [&](int n) {
         const auto& piece = finest.mesh.layout.pieces()[std::size_t(n)];
         for (auto c = std::size_t(piece.begin); c < std::size_t(piece.end); ++c)
-            if (const int p = parent_[c]; p >= 0) finest.solution[c] += over_correction * coarse[std::size_t(p)];
+            if (const int p = parent_[c]; p >= 0) finest.solution[c] += gain_ * coarse[std::size_t(p)];
     });
 }
 

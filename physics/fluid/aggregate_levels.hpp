@@ -73,6 +73,7 @@ private:
     std::vector<int> first_node_;   ///< of each block on the first level, and the end
     std::vector<GraphMatrix> rows_; ///< of each block, during the set-up
     std::vector<GraphLevel> levels_;
+    float gain_ = 1.0F; ///< how many times the solution of the first level is to be taken
     SparseFactors factors_;
     std::vector<MatrixEntry> entries_;
 };

@@ -8,8 +8,6 @@
 namespace physics {
 namespace {
 
-constexpr int grain = 4096; ///< nodes of a chunk
-
 /// A level as PairwiseAggregation wants it.
 struct GraphOfLevel {
     const GraphMatrix& matrix;
@@ -56,13 +54,12 @@ GraphMatrix coarse_matrix(const GraphMatrix& fine, const std::vector<int>& paren
 template <class Body>
 void for_nodes(const core::Team& team, const GraphLevel& level, Body body)
 {
-    core::for_chunks(team, level.matrix.nodes(), grain, [&](int begin, int end) {
+    core::for_chunks(team, level.matrix.nodes(), GraphLevel::grain, [&](int begin, int end) {
         for (int n = begin; n < end; ++n) body(std::size_t(n));
     });
 }
 
-/// One degree more than on the finest level, for aggregates leave more to do.
-auto steps() { return chebyshev_steps<3>(2.0, 10.0); }
+auto steps() { return chebyshev_steps<2>(2.0, 6.0); }
 
 void take(const core::Team& team, const ChebyshevStep& step, GraphLevel& level)
 {
@@ -85,7 +82,18 @@ GraphLevel::GraphLevel(GraphMatrix m) : matrix(std::move(m))
     }
 }
 
-std::size_t GraphLevel::bytes() const { return matrix.bytes() + parent.capacity() * sizeof(int) + 5 * inverse.capacity() * sizeof(float); }
+void GraphLevel::expect_two_visits()
+{
+    first_solution.assign(solution.size(), 0.0F);
+    first_image.assign(solution.size(), 0.0F);
+    parts.assign((solution.size() + grain - 1) / grain, 0.0);
+}
+
+std::size_t GraphLevel::bytes() const
+{
+    std::size_t vectors = 5 * inverse.capacity() + first_solution.capacity() + first_image.capacity();
+    return matrix.bytes() + parent.capacity() * sizeof(int) + vectors * sizeof(float) + parts.capacity() * sizeof(double);
+}
 
 void form_residual(const core::Team& team, GraphLevel& level)
 {
@@ -119,6 +127,19 @@ void smooth(const core::Team& team, GraphLevel& level)
         form_residual(team, level);
         take(team, step, level);
     }
+}
+
+void restrict_residual(const GraphLevel& fine, GraphLevel& coarse)
+{
+    std::fill(coarse.right.begin(), coarse.right.end(), 0.0F);
+    for (std::size_t n = 0; n < fine.parent.size(); ++n)
+        if (fine.parent[n] >= 0) coarse.right[std::size_t(fine.parent[n])] += fine.residual[n];
+}
+
+void add_correction(const GraphLevel& coarse, float gain, GraphLevel& fine)
+{
+    for (std::size_t n = 0; n < fine.parent.size(); ++n)
+        if (fine.parent[n] >= 0) fine.solution[n] += gain * coarse.solution[std::size_t(fine.parent[n])];
 }
 
 GraphLevel coarsened(GraphLevel& fine)

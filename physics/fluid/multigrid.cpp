@@ -66,6 +66,7 @@ Multigrid::Multigrid(const Multigrid& other, WithShift)
       levels_(other.levels_),
       coarsest_(std::make_unique<CoarsestSolver>(levels_.back().mesh)),
       aggregates_(other.aggregates_.like()),
+      has_grids_(other.has_grids_),
       set_up_(other.set_up_),
       cycle_(other.cycle_),
       aggregate_set_up_(other.aggregate_set_up_),
@@ -74,15 +75,26 @@ Multigrid::Multigrid(const Multigrid& other, WithShift)
     options_.shifted = true;
     options_.singular = false;
     for (MultigridLevel& level : levels_) level.matrix.shift.assign(level.mesh.layout.size(), 0.0F);
+    keep_grids();
 }
 
 Multigrid::~Multigrid() = default;
 Multigrid::Multigrid(Multigrid&&) noexcept = default;
 
+void Multigrid::keep_grids()
+{
+    if (has_grids_ != by_coefficients_) return;
+    has_grids_ = !by_coefficients_;
+    for (std::size_t l = 1; l < levels_.size(); ++l)
+        if (has_grids_) restore(options_.shifted, levels_[l]);
+        else release(levels_[l]);
+}
+
 void Multigrid::load(const core::Team& team, const SevenPoint<double>& fine, const CoefficientRange& range)
 {
     by_coefficients_ =
         options_.coarsening == Coarsening::coefficients || (options_.coarsening == Coarsening::automatic && range.jumps > 0.0);
+    keep_grids();
     const double scale = power_of_two_scale(range.largest);
     coefficient_scale_ = scale;
     auto& level = levels_.front();

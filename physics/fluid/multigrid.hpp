@@ -133,6 +133,8 @@ private:
     {
         return level.lines_are_firm ? firm_weights_ : weights_;
     }
+    /// Gives coarse levels of the grid their memory, or takes it where aggregates are used instead.
+    void keep_grids();
     void list_set_up();
     void list_cycle();
     void list_aggregates();
@@ -153,7 +155,7 @@ private:
     std::unique_ptr<CoarsestSolver> coarsest_;
     LevelMessages messages_;
     AggregateLevels aggregates_;
-    bool by_coefficients_ = false;
+    bool by_coefficients_ = false, has_grids_ = true; ///< the latter: coarse levels of the grid have their memory
     std::vector<MultigridStep> set_up_, cycle_, aggregate_set_up_, aggregate_cycle_;
     double coefficient_scale_ = 1.0, right_scale_ = 1.0;
 };

@@ -25,6 +25,13 @@ SideChildren children_beside(const SideRun& run, const BlockLayout& coarse, cons
     return result;
 }
 
+void make_vectors(bool with_shift, MultigridLevel& level)
+{
+    level.matrix = make_seven_point<float>(level.mesh, with_shift);
+    for (auto* v : {&level.inverse, &level.right, &level.residual, &level.direction, &level.solution, &level.other})
+        v->assign(level.mesh.layout.size(), 0.0F);
+}
+
 void make_transfer(MultigridLevel& level)
 {
     for (std::size_t side = 0; side < 6; ++side) {
@@ -41,10 +48,8 @@ void make_transfer(MultigridLevel& level)
 MultigridLevel make_multigrid_level(const BlockTopology& topology, bool with_shift, const core::Communicator& ranks)
 {
     MultigridLevel level(make_level_mesh(topology));
-    level.matrix = make_seven_point<float>(level.mesh, with_shift);
+    make_vectors(with_shift, level);
     level.axis.assign(std::size_t(level.mesh.layout.blocks()), LineAxis::none);
-    for (auto* v : {&level.inverse, &level.right, &level.residual, &level.direction, &level.solution, &level.other})
-        v->assign(level.mesh.layout.size(), 0.0F);
     level.end_resistance.assign(level.mesh.links.size(), {0.0F, 0.0F});
     level.is_shared = ranks.size() > 1;
     level.chains = LineChains(side_patches(topology, ranks), topology);
@@ -65,6 +70,23 @@ void tie_levels(MultigridLevel& fine, MultigridLevel& coarse)
         const auto b = coarse.fine_block[std::size_t(run.block)];
         coarse.side_children.push_back(b < 0 ? SideChildren{} : children_beside(run, coarse.mesh.layout, fine.mesh.layout, b));
     }
+    make_transfer(coarse);
+}
+
+void release(MultigridLevel& coarse)
+{
+    coarse.matrix = {};
+    const auto give_back = [](std::vector<float>& v) { v = std::vector<float>(); }; // an assigned list would keep the capacity
+    for (auto* v : {&coarse.inverse, &coarse.right, &coarse.residual, &coarse.direction, &coarse.solution, &coarse.other}) give_back(*v);
+    for (std::size_t side = 0; side < 6; ++side) {
+        give_back(coarse.weight[side]);
+        give_back(coarse.side_part[side]);
+    }
+}
+
+void restore(bool with_shift, MultigridLevel& coarse)
+{
+    make_vectors(with_shift, coarse);
     make_transfer(coarse);
 }
 

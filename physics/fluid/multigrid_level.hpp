@@ -69,5 +69,9 @@ struct MultigridLevel {
 [[nodiscard]] MultigridLevel make_multigrid_level(const BlockTopology& topology, bool with_shift, const core::Communicator& ranks);
 /// Ties a level to the next coarser one: blocks by their ids, memory for the transfer.
 void tie_levels(MultigridLevel& fine, MultigridLevel& coarse);
+/// Gives back the memory of a coarse level that is not in use: of its coefficients and vectors.
+void release(MultigridLevel& coarse);
+/// Makes a coarse level as it was before release(), all zero.
+void restore(bool with_shift, MultigridLevel& coarse);
 
 } // namespace physics

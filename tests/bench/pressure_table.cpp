@@ -7,6 +7,7 @@
 #include "tests/support/conduction_pipe.hpp"
 #include "tests/support/pressure_on_grid.hpp"
 #include "tests/support/processor_time.hpp"
+#include "tests/support/solver_bytes.hpp"
 #include "tests/support/stretched_channel.hpp"
 #include <cstdio>
 
@@ -34,15 +35,6 @@ void print(const Row& r)
     std::fflush(stdout);
 }
 
-/// Operator and preconditioner: 64-bit coefficients of faces and links, and all levels of the multigrid.
-double matrix_bytes(const physics::SevenPointSolver& solver, double cells)
-{
-    const auto& a = solver.matrix();
-    double bytes = 8.0 * double(a.link.size() + a.half.size());
-    for (const auto& face : a.face) bytes += 8.0 * double(face.size());
-    return (bytes + double(solver.multigrid().bytes())) / cells;
-}
-
 /// Seven points, by conjugate gradients.
 void run_straight(const core::Team& team, const std::string& name, const test::ConductionProblem& p,
                   const physics::MultigridOptions& options = {})
@@ -60,7 +52,7 @@ void run_straight(const core::Team& team, const std::string& name, const test::C
     });
     const double cells = double(physics::cell_count(p.topology));
     const double vectors = 8.0 * double(solver.layout().size()) * double(solver.workspace().vectors.size() + 2) / cells;
-    print({name, cells, product, solve, report.iterations, report.iterations, matrix_bytes(solver, cells), vectors});
+    print({name, cells, product, solve, report.iterations, report.iterations, test::matrix_bytes(solver, cells), vectors});
 }
 
 /// The full operator with cross terms, by BiCGSTAB.
@@ -75,7 +67,7 @@ void run_bent(const core::Team& team, const std::string& name, core::MultiBlock 
         seconds(5, [&] { tasks::run(problem.ranks(), team, [&](tasks::Lane& lane) { return system.apply(lane, x, y); }); });
     const double cells = double(problem.mesh().total_cells());
     const double vectors = 8.0 * double(x.size()) * double(system.solver().workspace().vectors.size() + 2) / cells;
-    print({name, cells, product, solve, report.iterations, 2 * report.iterations, matrix_bytes(system.solver(), cells), vectors});
+    print({name, cells, product, solve, report.iterations, 2 * report.iterations, test::matrix_bytes(system.solver(), cells), vectors});
 }
 
 core::MultiBlock slanted(int n, double degrees)

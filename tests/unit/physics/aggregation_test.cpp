@@ -63,7 +63,7 @@ TEST_CASE("aggregates hold together as their eigenvalues say, and no node is in 
             if (joined.parent[std::size_t(n)] >= 0) members[std::size_t(joined.parent[std::size_t(n)])].push_back(n);
         for (const auto& nodes : members) {
             REQUIRE(!nodes.empty());
-            CHECK(nodes.size() <= 4);
+            CHECK(nodes.size() <= physics::most_joined);
             if (nodes.size() < 2) continue;
             joined_nodes += int(nodes.size());
             CHECK(condition(g, nodes) <= bound * 1.001); // round-off of 1e-6 of the pivots is let pass
@@ -76,7 +76,7 @@ TEST_CASE("a chain of four equal cells is refused where a square is not")
 {
     // In three dimensions each cell has six ties. Chain: 2 * 6 / (2 - sqrt 2) = 20.5; square: 2 * 6 / 2 = 6.
     const std::array<double, 4> sums{6, 6, 6, 6};
-    std::array<std::array<double, 4>, 4> chain{}, square{};
+    physics::AggregateTies chain{}, square{};
     for (std::size_t n = 0; n + 1 < 4; ++n) chain[n][n + 1] = chain[n + 1][n] = square[n][n + 1] = square[n + 1][n] = 1.0;
     square[0][3] = square[3][0] = 1.0;
     CHECK(!physics::holds_together(sums, chain, 20.0));

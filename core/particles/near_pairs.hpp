@@ -6,27 +6,46 @@
 
 namespace core {
 
-/// Entry m of every array describes one near pair. The near pairs of chunk c fill the places from pairs.chunk_begin[c]
-/// on: first those without image shift, up to plain_end[c], then those with one, up to shifted_end[c].
+/// Near pairs [begin, end) that are alike: those of a run make the same vector code.
+struct NearRun {
+    int begin, end;
+    int kind;     ///< What NearPairs::kinds says of their species.
+    bool shifted; ///< Their second particle is met through an image.
+};
+
+/// Entry m of every array describes one near pair. The near pairs of chunk c fill the places from pairs.chunk_begin[c] on, run by run.
 class NearPairs {
 public:
-    /// Takes from `pairs` those with a gap below `skin` [m], and their springs.
-    void refresh(const ParticleSet& particles, const PairList& pairs, const std::array<Vec3, 27>& shifts, double skin, const Team& team);
-    /// Writes the springs back to the pairs; to be called before every refresh and rebuild but the first.
-    void return_springs(PairList& pairs, const Team& team) const;
+    /// Which pairs are near: those of `pairs` with a gap below `skin` [m].
+    struct Choice {
+        const ParticleSet& particles;
+        const PairList& pairs;
+        const std::array<Vec3, 27>& shifts;
+        double skin;
+    };
+    /// Chooses for the first time after PairList::build(). @param history  One row for each owned particle: springs that go on.
+    void start(const Choice& choice, const ContactHistory& history, const Team& team);
+    /// Chooses again; the springs of pairs that stay near go on.
+    void refresh(const Choice& choice, const Team& team);
+    /// Appends the springs of owned particle i to the last row of `history`.
+    void append_row(const ParticleSet& particles, const PairList& pairs, int i, ContactHistory& history) const;
 
-    std::vector<int> first, second, pair;
-    std::vector<std::uint8_t> image;
-    std::vector<Column> spring;      ///< As PairList::spring.
-    Column root_mass;                ///< sqrt(m1 m2 / (m1 + m2)) [kg^1/2].
-    std::vector<std::uint16_t> kind; ///< Species of first + species_count * species of second.
-    std::vector<int> plain_end, shifted_end;
-    std::vector<int> row; ///< As PairList::row with near pairs; row i begins at pairs.row_begin[i].
+    /// What makes pairs alike: a number below `kind_count` for the species of first x species_count + that of second.
+    std::vector<int> kinds{0};
+    int species_count = 1, kind_count = 1;
+
+    std::vector<int> first, second;
+    std::vector<int> pair;                  ///< Which of the pair list.
+    std::vector<Column> spring;             ///< Springs of `first` against `second`: as many columns as the history is wide.
+    std::vector<std::vector<NearRun>> runs; ///< Of each chunk.
+    std::vector<int> row;                   ///< As PairList::row with near pairs; row i begins at pairs.row_begin[i].
     std::vector<int> row_end;
-    int species_count = 1;
+    std::vector<std::uint8_t> order; ///< The particles of each chunk from its first one, those with fewest near pairs first.
 
 private:
-    void select(const ParticleSet& particles, const PairList& pairs, const std::array<Vec3, 27>& shifts, double skin, int chunk);
+    void choose(const Choice& choice, const ContactHistory* history, const Team& team);
+    void select(const Choice& choice, const ContactHistory* history, int chunk);
+    void sort_by_length(const PairList& pairs, int begin, int end);
     std::vector<int> place_; // near pair of each pair, or -1
 };
 

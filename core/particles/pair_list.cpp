@@ -69,7 +69,7 @@ void PairList::hand_over_crossing()
         for (const Found& pair : crossing) found_[index_of(std::min(pair.first, pair.second) / particles_per_chunk)].push_back(pair);
 }
 
-void PairList::copy_chunk(const ParticleSet& particles, const ContactHistory& history, int chunk)
+void PairList::copy_chunk(const ParticleSet& particles, int chunk)
 {
     auto p = index_of(chunk_begin[index_of(chunk)]);
     auto& later = links[index_of(chunk)];
@@ -78,11 +78,7 @@ void PairList::copy_chunk(const ParticleSet& particles, const ContactHistory& hi
         first[p] = pair.first;
         second[p] = pair.second;
         image[p] = pair.image;
-        const int low = std::min(pair.first, pair.second), high = std::max(pair.first, pair.second);
-        // Both have it if both are owned; a large particle has a long row.
-        const bool turn = high < particles.owned && history.row_size(high) < history.row_size(low);
-        const Spring kept = turn ? history.find(high, particles.id[index_of(low)]) : history.find(low, particles.id[index_of(high)]);
-        for (std::size_t a = 0; a < spring.size(); ++a) spring[a][p] = kept[a];
+        const int high = std::max(pair.first, pair.second);
         const int other = high / particles_per_chunk;
         if (high < particles.owned && other != chunk && (later.empty() || later.back() != other)) later.push_back(other);
         ++p;
@@ -91,7 +87,7 @@ void PairList::copy_chunk(const ParticleSet& particles, const ContactHistory& hi
     later.erase(std::unique(later.begin(), later.end()), later.end());
 }
 
-void PairList::build(const ParticleSet& particles, const CellLists& cells, double skin, const ContactHistory& history, const Team& team)
+void PairList::build(const ParticleSet& particles, const CellLists& cells, double skin, const Team& team)
 {
     const int count = (particles.owned + particles_per_chunk - 1) / particles_per_chunk;
     found_.resize(index_of(count));
@@ -107,9 +103,7 @@ void PairList::build(const ParticleSet& particles, const CellLists& cells, doubl
     first.resize(total);
     second.resize(total);
     image.resize(total);
-    spring.resize(index_of(history.width));
-    for (auto& column : spring) column.resize(total);
-    team.run(count, [&](int c) { copy_chunk(particles, history, c); });
+    team.run(count, [&](int c) { copy_chunk(particles, c); });
     build_rows(particles, team);
 }
 
@@ -137,18 +131,6 @@ void PairList::build_rows(const ParticleSet& particles, const Team& team)
             std::sort(row.begin() + row_begin[index_of(i)], row.begin() + row_begin[index_of(i) + 1],
                       [&](int a, int b) { return other_id(a) < other_id(b); });
     });
-}
-
-void PairList::append_row(const ParticleSet& particles, int i, ContactHistory& history) const
-{
-    for (int k = row_begin[index_of(i)]; k < row_begin[index_of(i) + 1]; ++k) {
-        const int entry = row[index_of(k)];
-        const auto p = index_of(entry / 2);
-        Spring value{};
-        for (std::size_t a = 0; a < spring.size(); ++a) value[a] = spring[a][p];
-        if (value == Spring{}) continue;
-        history.add(particles.id[index_of(entry % 2 == 0 ? second[p] : first[p])], value);
-    }
 }
 
 } // namespace core

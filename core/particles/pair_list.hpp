@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Pairs of particles that may touch before the next rebuild, each once, with the tangential springs of those that do.
+// Pairs of particles that may touch before the next rebuild, each once.
 #include "core/base/team.hpp"
 #include "core/particles/cell_list.hpp"
 #include "core/particles/contact_history.hpp"
@@ -16,10 +16,7 @@ inline constexpr int particles_per_chunk = 256;
 class PairList {
 public:
     /// Finds all pairs with at least one owned particle and a gap below `skin` [m].
-    /// @param history  One row for each owned particle: springs of contacts that go on.
-    void build(const ParticleSet& particles, const CellLists& cells, double skin, const ContactHistory& history, const Team& team);
-    /// Appends the springs of owned particle i to the last row of `history`.
-    void append_row(const ParticleSet& particles, int i, ContactHistory& history) const;
+    void build(const ParticleSet& particles, const CellLists& cells, double skin, const Team& team);
 
     [[nodiscard]] int size() const { return int(first.size()); }
     [[nodiscard]] int chunks() const { return int(chunk_begin.size()) - 1; }
@@ -27,7 +24,6 @@ public:
     std::vector<int> first, second;      ///< Places in the particle set; `first` has the lower id.
     std::vector<std::uint8_t> image;     ///< The image of `second` that `first` meets.
     std::vector<int> chunk_begin{0};     ///< First pair of each chunk of particles, and the end.
-    std::vector<Column> spring;          ///< Springs of `first` against `second`: as many columns as the history is wide.
     std::vector<int> row_begin{0};       ///< First entry of each owned particle in `row`, and the end.
     std::vector<int> row;                ///< 2 pair + (0 if the particle is `first`, 1 if `second`), in order of the other's id.
     std::vector<std::vector<int>> links; ///< For each chunk: the later chunks whose particles its pairs touch.
@@ -39,7 +35,7 @@ private:
     };
     void find(const ParticleSet& particles, const CellLists& cells, double skin, int chunk);
     void hand_over_crossing();
-    void copy_chunk(const ParticleSet& particles, const ContactHistory& history, int chunk);
+    void copy_chunk(const ParticleSet& particles, int chunk);
     void build_rows(const ParticleSet& particles, const Team& team);
     std::vector<std::vector<Found>> found_;    // of each chunk of owned particles
     std::vector<std::vector<Found>> crossing_; // found by each chunk of all particles, for the chunk of a larger one that comes before it

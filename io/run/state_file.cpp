@@ -84,7 +84,7 @@ std::vector<double> interleaved(const NamedColumns& c, int rows)
 void save_particles(World& world, CheckpointWriter& writer)
 {
     physics::ParticleDynamics& grains = *world.grains();
-    grains.dissolve(core::SerialTeam());
+    grains.dissolve();
     const core::ParticleSet& p = grains.particles;
     std::vector<RowKey> keys;
     for (int i = 0; i < p.owned; ++i) keys.push_back({p.id[std::size_t(i)], 0, 0});
@@ -153,7 +153,7 @@ void load_contacts(const CheckpointReader& checkpoint, physics::ParticleDynamics
 void load_particles(const CheckpointReader& checkpoint, World& world)
 {
     physics::ParticleDynamics& grains = *world.grains();
-    grains.dissolve(core::SerialTeam());
+    grains.dissolve();
     const std::int64_t count = checkpoint.row_count("particles/id");
     const auto rows = rows_here(checkpoint.rows<double>("particles/position", 0, count), world);
     core::ParticleSet& p = grains.particles;

@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #include "physics/particles/contact.hpp"
+#include "core/base/eight.hpp"
 #include "core/base/error.hpp"
-#include "core/base/four.hpp"
 #include "core/base/random.hpp"
 
+#include <cstring>
+#include <limits>
 #include <numbers>
 
 namespace physics {
@@ -15,61 +17,66 @@ constexpr double coincident_share = 1e-10;
 
 /// The near pairs' columns that a force reads and moves.
 struct PairColumns {
-    const int *first, *second;
-    const double* root_mass;
+    const int *first, *second, *pair;
     std::vector<core::Column>& spring;
     ContactForce* forces;
     ContactCouple* couples;
     PairBook* books; ///< Null where no budget is kept.
 };
 
-/// The law of near pair m: the only one, or that of its two species.
-template <class Law>
-struct OneLaw {
-    using law_type = Law;
-    Law law;
-    const Law& operator()(int) const { return law; }
-};
-
-template <class Law>
-struct LawTable {
-    using law_type = Law;
-    const Law* laws;
-    const std::uint16_t* kind;
-    const Law& operator()(int m) const { return laws[kind[m]]; }
-};
-
 /// What the particles of some consecutive pairs bring together, and what comes out: small enough for the innermost cache.
 struct alignas(64) PairBlock {
     static constexpr int size = 64;
     using Lane = double[size];
-    Lane dx, dy, dz, vx, vy, vz;         ///< Second centre from the first; velocity of the first against the second.
-    Lane ri, rj, ax, ay, az, bx, by, bz; ///< Radii and spins.
-    Lane fx, fy, fz, tx, ty, tz, li, lj; ///< Force, normal x force, lever arms.
-    Lane mx, my, mz;                     ///< Torque against turning.
+    Lane dx, dy, dz, vx, vy, vz;                ///< Second centre from the first; velocity of the second against the first.
+    Lane ri, rj, ax, ay, az, bx, by, bz, light; ///< Radii and spins; the sum of both 1 / mass.
+    Lane sx, sy, sz, rx, ry, rz;                ///< Springs.
+    Lane fx, fy, fz, tx, ty, tz, li, lj;        ///< Force, normal x force, lever arms.
+    Lane mx, my, mz;                            ///< Torque against turning.
 };
 
-/// Reads pairs [begin, begin + count); the places up to the next multiple of four repeat the last one.
-/// @param shift_of  shift_of(m): the image shift, fourth value 0.
-template <class ShiftOf>
-void read_block(const MotionRecords::Record* records, const PairColumns& pair, int begin, int count, ShiftOf shift_of, PairBlock& b)
+/// Eight pairs are worked on together.
+constexpr int width = 8;
+constexpr int whole(int count) { return (count + width - 1) / width * width; }
+
+/// Changes the signs of all but 1 / mass, which is the sum of both while all others are differences.
+core::Eight turned(const core::Eight& motion)
 {
-    using core::Four, core::load_four, core::store_four;
-    for (int k = 0; k < count; k += 4) {
-        Four d[4], v[4], wi[4], wj[4];
-        for (int lane = 0; lane < 4; ++lane) {
+    using Bits = std::int64_t __attribute__((vector_size(64)));
+    constexpr std::int64_t sign = std::numeric_limits<std::int64_t>::min();
+    constexpr Bits signs = {sign, sign, sign, 0, sign, sign, sign, sign};
+    return core::Eight(Bits(motion) ^ signs);
+}
+
+/// Reads pairs [begin, begin + count); the places up to the next multiple of eight repeat the last one.
+/// @param move  move(m, d): the difference d of the pair's places and velocities, shifted to the image that it meets.
+template <class Move>
+void read_block(const MotionRecords::Record* records, const PairColumns& pair, int begin, int count, Move move, PairBlock& b)
+{
+    using core::Eight, core::load_four, core::store_eight;
+    for (int k = 0; k < count; k += width) {
+        Eight d[width], w[width];
+        for (int lane = 0; lane < width; ++lane) {
             const int m = begin + std::min(k + lane, count - 1);
             const auto &first = records[pair.first[m]], &second = records[pair.second[m]];
-            d[lane] = load_four(second.position) - load_four(first.position) + shift_of(m);
-            v[lane] = load_four(first.velocity) - load_four(second.velocity);
-            wi[lane] = load_four(first.spin);
-            wj[lane] = load_four(second.spin);
+            d[lane] = move(m, core::load_eight(second.motion) + turned(core::load_eight(first.motion)));
+            w[lane] = core::join(load_four(first.spin), load_four(second.spin));
         }
-        for (auto* rows : {d, v, wi, wj}) core::transpose(rows[0], rows[1], rows[2], rows[3]);
-        double* const to[] = {b.dx, b.dy, b.dz, b.vx, b.vy, b.vz, b.ax, b.ay, b.az, b.ri, b.bx, b.by, b.bz, b.rj};
-        const Four from[] = {d[0], d[1], d[2], v[0], v[1], v[2], wi[0], wi[1], wi[2], wi[3], wj[0], wj[1], wj[2], wj[3]};
-        for (int n = 0; n < 14; ++n) store_four(to[n] + k, from[n]);
+        core::transpose(d);
+        core::transpose(w);
+        double *const to_d[] = {b.dx, b.dy, b.dz, b.light, b.vx, b.vy, b.vz}, *const to_w[] = {b.ax, b.ay, b.az, b.ri,
+                                                                                               b.bx, b.by, b.bz, b.rj};
+        for (int n = 0; n < 7; ++n) store_eight(to_d[n] + k, d[n]);
+        for (int n = 0; n < 8; ++n) store_eight(to_w[n] + k, w[n]);
     }
+}
+
+/// Springs of pairs from `begin` on into the block, or back.
+template <class Copy>
+void for_each_spring(const PairColumns& pair, int begin, PairBlock& b, Copy copy)
+{
+    double* const lanes[] = {b.sx, b.sy, b.sz, b.rx, b.ry, b.rz};
+    for (std::size_t a = 0; a < pair.spring.size(); ++a) copy(pair.spring[a].data() + begin, lanes[a]);
 }
 
 /// Gives pairs whose centres coincide a direction from their ids, and no spring.
@@ -80,16 +87,14 @@ void separate(const PairScene& scene, const PairColumns& pair, int begin, int co
     return {book, {in.ny * book.fz - in.nz * book.fy, in.nz * book.fx - in.nx * book.fz, in.nx * book.fy - in.ny * book.fx}};
 }
 
-/// Forces of the pairs in the block; moves their springs. law_of(m) is the law of near pair m.
-template <Budget budget, class LawOf>
-void evaluate_block(const PairColumns& pair, int begin, int count, LawOf law_of, PairBlock& b)
+/// Forces of the pairs in the block, up to a multiple of eight unless a budget is kept; moves their springs.
+template <Budget budget, class Law>
+void evaluate_block(const Law law, int count, PairBlock& b, PairBook* books)
 {
-    using Law = typename LawOf::law_type;
-    const SpringColumns springs = spring_columns(pair.spring, std::size_t(begin));
-    const double* root_mass = pair.root_mass + begin;
+    const SpringColumns springs{b.sx, b.sy, b.sz, b.rx, b.ry, b.rz};
+    const int end = budget == Budget::kept ? count : whole(count);
 #pragma omp simd
-    for (int k = 0; k < count; ++k) {
-        const Law& law = law_of(begin + k);
+    for (int k = 0; k < end; ++k) {
         const double dx = b.dx[k], dy = b.dy[k], dz = b.dz[k];
         const double distance = std::sqrt(dx * dx + dy * dy + dz * dz), inverse = 1.0 / distance;
         ContactInput in;
@@ -97,9 +102,9 @@ void evaluate_block(const PairColumns& pair, int begin, int count, LawOf law_of,
         in.nx = dx * inverse;
         in.ny = dy * inverse;
         in.nz = dz * inverse;
-        in.vx = b.vx[k];
-        in.vy = b.vy[k];
-        in.vz = b.vz[k];
+        in.vx = -b.vx[k];
+        in.vy = -b.vy[k];
+        in.vz = -b.vz[k];
         const double vn = in.vx * in.nx + in.vy * in.ny + in.vz * in.nz, back = 0.5 * law.step * inverse;
         in.mx = in.nx + back * (in.vx - vn * in.nx);
         in.my = in.ny + back * (in.vy - vn * in.ny);
@@ -112,13 +117,13 @@ void evaluate_block(const PairColumns& pair, int begin, int count, LawOf law_of,
         in.gy = 0.5 * (b.ay[k] + b.by[k]);
         in.gz = 0.5 * (b.az[k] + b.bz[k]);
         in.twist = 0.5 * ((b.ax[k] + b.bx[k]) * in.nx + (b.ay[k] + b.by[k]) * in.ny + (b.az[k] + b.bz[k]) * in.nz);
-        in.root_mass = root_mass[k];
+        in.root_mass = std::sqrt(1.0 / b.light[k]);
         in.radius = b.ri[k] * b.rj[k] / (b.ri[k] + b.rj[k]);
         in.ux = b.ax[k] - b.bx[k];
         in.uy = b.ay[k] - b.by[k];
         in.uz = b.az[k] - b.bz[k];
         const auto out = move_springs(law, in, springs, k);
-        if constexpr (budget == Budget::kept) pair.books[begin + k] = pair_book(contact_book(law, in, out), in);
+        if constexpr (budget == Budget::kept) books[k] = pair_book(contact_book(law, in, out), in);
         b.fx[k] = out.fx;
         b.fy[k] = out.fy;
         b.fz[k] = out.fz;
@@ -137,15 +142,12 @@ void evaluate_block(const PairColumns& pair, int begin, int count, LawOf law_of,
 
 void write_block(const PairBlock& b, int count, ContactForce* forces)
 {
-    for (int k = 0; k < count; k += 4) {
-        core::Four f[] = {core::load_four(b.fx + k), core::load_four(b.fy + k), core::load_four(b.fz + k), core::load_four(b.li + k)};
-        core::Four t[] = {core::load_four(b.tx + k), core::load_four(b.ty + k), core::load_four(b.tz + k), core::load_four(b.lj + k)};
-        core::transpose(f[0], f[1], f[2], f[3]);
-        core::transpose(t[0], t[1], t[2], t[3]);
-        for (int lane = 0; lane < std::min(4, count - k); ++lane) {
-            core::store_four(forces[k + lane].force, f[lane]);
-            core::store_four(forces[k + lane].torque, t[lane]);
-        }
+    const double* const from[] = {b.fx, b.fy, b.fz, b.li, b.tx, b.ty, b.tz, b.lj};
+    for (int k = 0; k < count; k += width) {
+        core::Eight f[width];
+        for (int n = 0; n < width; ++n) f[n] = core::load_eight(from[n] + k);
+        core::transpose(f);
+        for (int lane = 0; lane < std::min(width, count - k); ++lane) core::store_eight(forces[k + lane].values, f[lane]);
     }
 }
 
@@ -158,25 +160,31 @@ bool any_coincident(const PairBlock& b, int count)
 {
     int found = 0;
 #pragma omp simd reduction(| : found)
-    for (int k = 0; k < count; ++k) {
+    for (int k = 0; k < whole(count); ++k) {
         const double least = coincident_share * (b.ri[k] + b.rj[k]);
         found |= int(b.dx[k] * b.dx[k] + b.dy[k] * b.dy[k] + b.dz[k] * b.dz[k] < least * least);
     }
     return found != 0;
 }
 
-template <class LawOf, class ShiftOf>
-void run_pairs(const PairScene& scene, const PairColumns& pair, int begin, int end, LawOf law_of, ShiftOf shift_of)
+template <class Law, class Move>
+void run_pairs(const PairScene& scene, const PairColumns& pair, int begin, int end, const Law& law, Move move)
 {
     PairBlock block;
     for (; begin < end; begin += PairBlock::size) {
         const int count = std::min(PairBlock::size, end - begin);
-        read_block(scene.records.data(), pair, begin, count, shift_of, block);
+        const auto bytes = std::size_t(count) * sizeof(double);
+        read_block(scene.records.data(), pair, begin, count, move, block);
+        for_each_spring(pair, begin, block, [&](const double* from, double* to) {
+            std::memcpy(to, from, bytes);
+            std::fill(to + count, to + whole(count), 0.0);
+        });
         if (any_coincident(block, count)) separate(scene, pair, begin, count, block);
-        if (pair.books) evaluate_block<Budget::kept>(pair, begin, count, law_of, block);
-        else evaluate_block<Budget::none>(pair, begin, count, law_of, block);
+        if (pair.books) evaluate_block<Budget::kept>(law, count, block, pair.books + begin);
+        else evaluate_block<Budget::none>(law, count, block, nullptr);
+        for_each_spring(pair, begin, block, [&](double* to, const double* from) { std::memcpy(to, from, bytes); });
         write_block(block, count, pair.forces + begin);
-        if constexpr (LawOf::law_type::resists_turning) write_couples(block, count, pair.couples + begin);
+        if constexpr (Law::resists_turning) write_couples(block, count, pair.couples + begin);
     }
 }
 
@@ -191,29 +199,16 @@ core::Vec3 direction_of(std::uint64_t seed, std::int64_t low, std::int64_t high)
 void separate(const PairScene& scene, const PairColumns& pair, int begin, int count, PairBlock& b)
 {
     const auto& id = scene.particles.id;
-    for (int k = 0; k < count; ++k) {
+    for (int k = 0; k < whole(count); ++k) {
         const double least = coincident_share * (b.ri[k] + b.rj[k]);
         if (b.dx[k] * b.dx[k] + b.dy[k] * b.dy[k] + b.dz[k] * b.dz[k] >= least * least) continue;
-        const int m = begin + k;
+        const int m = begin + std::min(k, count - 1);
         const auto d = direction_of(scene.seed, id[std::size_t(pair.first[m])], id[std::size_t(pair.second[m])]);
         b.dx[k] = least * d[0];
         b.dy[k] = least * d[1];
         b.dz[k] = least * d[2];
-        for (auto& column : pair.spring) column[std::size_t(m)] = 0.0;
+        for (double* lane : {b.sx, b.sy, b.sz, b.rx, b.ry, b.rz}) lane[k] = 0.0;
     }
-}
-
-template <class LawOf>
-void run_chunk(const PairScene& scene, const core::NearPairs& near, int chunk, const PairColumns& pair, LawOf law_of)
-{
-    const int begin = scene.pairs.chunk_begin[std::size_t(chunk)], middle = near.plain_end[std::size_t(chunk)];
-    run_pairs(scene, pair, begin, middle, law_of, [](int) { return core::Four{}; });
-    const core::Vec3* shifts = scene.shifts.data();
-    const std::uint8_t* image = near.image.data();
-    run_pairs(scene, pair, middle, near.shifted_end[std::size_t(chunk)], law_of, [=](int m) {
-        const core::Vec3& shift = shifts[image[m]];
-        return core::Four{shift[0], shift[1], shift[2], 0.0};
-    });
 }
 
 } // namespace
@@ -222,15 +217,25 @@ void pair_forces(const PairScene& scene, core::NearPairs& near, int chunk, PairF
 {
     const PairColumns pair{near.first.data(),
                            near.second.data(),
-                           near.root_mass.data(),
+                           near.pair.data(),
                            near.spring,
                            forces.forces.data(),
                            forces.couples.data(),
                            forces.books.empty() ? nullptr : forces.books.data()};
+    const core::Vec3* shifts = scene.shifts.data();
+    const std::uint8_t* image = scene.pairs.image.data();
+    const auto shifted = [=](int m, const core::Eight& d) {
+        const core::Vec3& shift = shifts[image[pair.pair[m]]];
+        return d + core::Eight{shift[0], shift[1], shift[2], 0.0, 0.0, 0.0, 0.0, 0.0};
+    };
+    const auto as_it_is = [](int, const core::Eight& d) { return d; };
     std::visit(
         [&]<class Law>(const std::vector<Law>& laws) {
-            if (laws.size() == 1) run_chunk(scene, near, chunk, pair, OneLaw<Law>{laws.front()});
-            else run_chunk(scene, near, chunk, pair, LawTable<Law>{laws.data(), near.kind.data()});
+            for (const core::NearRun& run : near.runs[std::size_t(chunk)]) {
+                const Law& law = laws[std::size_t(run.kind)];
+                if (run.shifted) run_pairs(scene, pair, run.begin, run.end, law, shifted);
+                else run_pairs(scene, pair, run.begin, run.end, law, as_it_is);
+            }
         },
         scene.laws);
 }

@@ -9,10 +9,14 @@
 
 namespace physics {
 
-/// Force on the first particle [N]; normal x force, which times each lever arm is the torque on that particle.
+/// Force on the first particle, normal x force, and lever arms, which times the latter are the torques on the two particles.
 struct alignas(64) ContactForce {
-    double force[4];  ///< Fourth: distance from the first centre to the contact point [m].
-    double torque[4]; ///< [N]; fourth: distance from the second centre.
+    double values[8]; ///< Force [N], first lever arm [m], normal x force [N], second lever arm [m].
+
+    [[nodiscard]] const double* force() const { return values; }
+    [[nodiscard]] const double* torque() const { return values + 4; }
+    /// From the centre of the first (0) or second particle (1) to the contact point [m].
+    [[nodiscard]] double lever(std::size_t side) const { return values[3 + 4 * side]; }
 };
 
 /// Torque on the first particle; the second receives the opposite [N m].

@@ -27,6 +27,7 @@ struct GeneralContact {
     double stop = 0.0;         ///< Share 0.4 / step of a constant torque [1/s]; 0 with springs.
     double pull = 0.0;         ///< 2 pi times the work of adhesion [J/m2].
 
+    [[nodiscard]] bool operator==(const GeneralContact&) const = default;
     [[gnu::always_inline, nodiscard]] inline ContactStiffness at(const ContactInput& c, double normal_speed) const
     {
         const ContactStiffness a = linear.at(c, normal_speed), b = hertz.at(c, normal_speed);

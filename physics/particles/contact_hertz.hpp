@@ -19,6 +19,7 @@ struct HertzContact {
     double friction = 0.0;           ///< [-]
     double step = 0.0;               ///< Time step [s].
 
+    [[nodiscard]] bool operator==(const HertzContact&) const = default;
     [[gnu::always_inline, nodiscard]] inline ContactStiffness at(const ContactInput& c, double normal_speed) const
     {
         const double overlap = std::max(0.0, c.overlap), before = std::max(0.0, c.overlap - step * normal_speed);

@@ -4,6 +4,7 @@
 #include "core/base/error.hpp"
 #include "physics/particles/restitution.hpp"
 
+#include <algorithm>
 #include <numbers>
 
 namespace physics {
@@ -40,6 +41,18 @@ ContactLaws laws_of(const std::vector<ContactParameters>& entries, int wanted, d
 }
 
 } // namespace
+
+std::vector<int> kinds_of(const ContactLaws& laws, int count)
+{
+    std::vector<int> kinds(std::size_t(count), 0);
+    std::visit(
+        [&](const auto& entries) {
+            for (std::size_t n = 0; entries.size() > 1 && n < kinds.size(); ++n)
+                kinds[n] = int(std::find(entries.begin(), entries.end(), entries[n]) - entries.begin());
+        },
+        laws);
+    return kinds;
+}
 
 LinearContact linear_contact(const ContactParameters& p, double step)
 {

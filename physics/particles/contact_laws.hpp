@@ -20,6 +20,9 @@ using ContactLaws = std::variant<std::vector<LinearContact>, std::vector<HertzCo
 
 /// True where contacts hold rolling and twist: they need core::rolling_memory, and act with torques of their own.
 [[nodiscard]] inline bool resist_turning(const ContactLaws& laws) { return std::holds_alternative<std::vector<GeneralContact>>(laws); }
+/// For each of `count` pairs of species, or species, the number of the first law that is equal to its own: what has one number runs in
+/// one loop.
+[[nodiscard]] std::vector<int> kinds_of(const ContactLaws& laws, int count);
 /// Time step [s].
 [[nodiscard]] inline double step_of(const ContactLaws& laws)
 {

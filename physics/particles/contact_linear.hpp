@@ -18,6 +18,7 @@ struct LinearContact {
     double friction = 0.0;             ///< [-]
     double step = 0.0;                 ///< Time step [s].
 
+    [[nodiscard]] bool operator==(const LinearContact&) const = default;
     [[gnu::always_inline, nodiscard]] inline ContactStiffness at(const ContactInput& c, double /*normal_speed*/) const
     {
         return {stiffness * c.overlap, damping, tangential_stiffness, compliance, tangential_damping, 1.0};

@@ -26,14 +26,14 @@ void measure_contacts(core::ParticleSet& particles, const core::PairList& pairs,
         int contacts = 0;
         for (auto k = std::size_t(pairs.row_begin[i]); k < std::size_t(near.row_end[i]); ++k) {
             const auto m = std::size_t(near.row[k] >> 1);
-            const bool is_second = (near.row[k] & 1) != 0;
+            const auto side = std::size_t(near.row[k] & 1);
             const ContactForce& contact = forces.forces[m];
-            const core::Vec3 on_first(contact.force[0], contact.force[1], contact.force[2]);
+            const core::Vec3 on_first(contact.force()[0], contact.force()[1], contact.force()[2]);
             if (on_first.isZero(0.0)) continue;
-            const core::Vec3 way =
-                particles.position_of(near.second[m]) - particles.position_of(near.first[m]) + shifts[std::size_t(near.image[m])];
+            const core::Vec3 way = particles.position_of(near.second[m]) - particles.position_of(near.first[m]) +
+                                   shifts[pairs.image[std::size_t(near.pair[m])]];
             // Both the force and the way to the contact turn round for the second.
-            const core::Vec3 arm = (is_second ? contact.torque[3] : contact.force[3]) * way.normalized();
+            const core::Vec3 arm = contact.lever(side) * way.normalized();
             const core::Vec3 yz_zx_xy =
                 0.5 * core::Vec3(arm.y() * on_first.z() + arm.z() * on_first.y(), arm.z() * on_first.x() + arm.x() * on_first.z(),
                                  arm.x() * on_first.y() + arm.y() * on_first.x());

@@ -45,10 +45,12 @@ ParticleDynamics::ParticleDynamics(const core::Domain& domain, const ParticlePar
       step_(step),
       pair_laws_(pair_laws(parameters, step)),
       wall_laws_(wall_laws(parameters, step)),
-      walls_(std::move(walls)),
+      walls_(std::move(walls), kinds_of(wall_laws_, parameters.species)),
       shifts_(core::image_shifts(domain))
 {
     near_.species_count = parameters.species;
+    near_.kinds = kinds_of(pair_laws_, parameters.species * parameters.species);
+    near_.kind_count = 1 + *std::max_element(near_.kinds.begin(), near_.kinds.end());
     if (parameters.energy_budget == Budget::kept) energy_ = add_energy_columns(particles);
     if (resist_turning(pair_laws_) || resist_turning(wall_laws_)) history.width = core::rolling_memory;
 }
@@ -100,19 +102,19 @@ bool ParticleDynamics::keep_lists(double greatest_displacement)
     return true;
 }
 
-void ParticleDynamics::dissolve(const core::Team& team)
+void ParticleDynamics::dissolve()
 {
-    if (built_) {
-        return_springs(team);
+    if (near_built_) {
+        walls_.return_springs();
         history.clear();
         for (int i = 0; i < particles.owned; ++i) {
-            pairs_.append_row(particles, i, history);
+            near_.append_row(particles, pairs_, i, history);
             walls_.append_row(i, history);
             for (const SurfaceContacts& surface : surfaces_) surface.append_row(i, history);
             history.end_row();
         }
-        particles.resize_ghosts(0);
     }
+    particles.resize_ghosts(0);
     while (history.rows() < particles.owned) history.end_row(); // particles that were added without a history
     built_ = near_built_ = false;
     for (int a = 0; a < 3; ++a)
@@ -166,7 +168,7 @@ void ParticleDynamics::sort(const core::Bounds& bounds, const core::Octaves& gre
 void ParticleDynamics::build(const core::Team& team)
 {
     cells_.build(particles, bins_);
-    pairs_.build(particles, cells_, skin_, history, team);
+    pairs_.build(particles, cells_, skin_, team);
     walls_.build(particles, 0.5 * skin_, history); // half: what walls do themselves is in wall_way_
     for (SurfaceContacts& surface : surfaces_) surface.build(particles, 0.5 * skin_, 0.5 * near_skin_, history);
     forces_.resize(index_of(pairs_.size()), pair_laws_, parameters_.energy_budget);
@@ -180,17 +182,13 @@ void ParticleDynamics::build(const core::Team& team)
     planned_threads_ = 0;
 }
 
-void ParticleDynamics::return_springs(const core::Team& team)
-{
-    if (!near_built_) return;
-    near_.return_springs(pairs_, team);
-    walls_.return_springs();
-}
-
 void ParticleDynamics::refresh_near(const core::Team& team)
 {
-    return_springs(team);
-    near_.refresh(particles, pairs_, shifts_, near_skin_, team);
+    const core::NearPairs::Choice choice{particles, pairs_, shifts_, near_skin_};
+    if (near_built_) {
+        walls_.return_springs();
+        near_.refresh(choice, team);
+    } else near_.start(choice, history, team);
     walls_.refresh(particles, 0.5 * near_skin_, team);
     for (SurfaceContacts& surface : surfaces_) surface.refresh(particles, team);
     near_built_ = true;
@@ -228,7 +226,7 @@ void ParticleDynamics::sum_chunk(int segment, int chunk, ForceSums& sums, Energy
     sum_pair_forces(pairs_, near_, forces_, sums);
     if (!forces_.couples.empty()) add_pair_couples(pairs_, near_, forces_, sums);
     if (energy) begin_budget(particles, pairs_, near_, forces_, sums, *energy);
-    if (!walls_.empty()) walls_.add_forces(particles, wall_laws_, chunk, {sums, loads, energy});
+    if (!walls_.empty()) walls_.add_forces(records_, wall_laws_, chunk, {sums, loads, energy});
     for (SurfaceContacts& surface : surfaces_) surface.add_forces(particles, wall_laws_, chunk, {sums, loads, energy});
 }
 

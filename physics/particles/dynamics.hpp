@@ -68,7 +68,7 @@ public:
     [[nodiscard]] bool keep_lists(double greatest_displacement);
 
     /// Moves all springs to `history`, drops ghosts and lists, and brings owned particles back into a periodic domain.
-    void dissolve(const core::Team& team);
+    void dissolve();
     /// Drops ghosts and lists with all their springs: to be followed by setting particles and history anew.
     void forget_lists();
     /// Bounds of the owned particles [m].
@@ -95,7 +95,6 @@ public:
 
 private:
     void set_reach(double radius);
-    void return_springs(const core::Team& team);
     void refresh_near(const core::Team& team);
     void plan_segments(int threads);
     void sum_chunk(int segment, int chunk, ForceSums& sums, EnergySums* energy);

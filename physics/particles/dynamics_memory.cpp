@@ -28,8 +28,8 @@ std::size_t room_of(const core::ParticleSet& p)
 std::size_t room_of(const core::PairList& pairs, const core::NearPairs& near)
 {
     std::size_t bytes = room_of_all(pairs.first, pairs.second, pairs.image, pairs.row_begin, pairs.row);
-    bytes += room_of_all(near.first, near.second, near.pair, near.image, near.root_mass, near.kind, near.row, near.row_end);
-    for (std::size_t a = 0; a < pairs.spring.size(); ++a) bytes += room_of_all(pairs.spring[a], near.spring[a]);
+    bytes += room_of_all(near.first, near.second, near.pair, near.row, near.row_end, near.order);
+    for (const auto& column : near.spring) bytes += room(column);
     return bytes;
 }
 

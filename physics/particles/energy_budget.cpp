@@ -28,7 +28,7 @@ void begin_budget(const core::ParticleSet& particles, const core::PairList& pair
             const int entry = near.row[std::size_t(k)];
             const auto m = std::size_t(entry >> 1);
             const bool is_second = (entry & 1) != 0;
-            const double sign = is_second ? -1.0 : 1.0, lever = is_second ? forces.forces[m].torque[3] : forces.forces[m].force[3];
+            const double sign = is_second ? -1.0 : 1.0, lever = forces.forces[m].lever(std::size_t(is_second));
             const PairBook& pair = forces.books[m];
             const double force[] = {pair.book.fx, pair.book.fy, pair.book.fz}, couple[] = {pair.book.mx, pair.book.my, pair.book.mz};
             for (std::size_t a = 0; a < 3; ++a) {

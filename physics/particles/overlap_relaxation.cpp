@@ -101,9 +101,7 @@ private:
         }
         core::CellLists cells;
         cells.build(set_, core::make_level_bins(domain_, bounds, sizes_, skin(), std::int64_t(at_.size())));
-        core::ContactHistory none;
-        for (std::size_t i = 0; i < at_.size(); ++i) none.end_row();
-        pairs_.build(set_, cells, skin(), none, core::SerialTeam());
+        pairs_.build(set_, cells, skin(), core::SerialTeam());
         listed_ = at_;
         moved_ = 0.0;
     }

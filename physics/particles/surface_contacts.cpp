@@ -200,7 +200,7 @@ void SurfaceContacts::find_touches(const Vec3& centre, double radius, int begin,
 void SurfaceContacts::finish(const core::ParticleSet& p, const ContactLaws& laws, SurfaceTouches& block, Chunk& chunk,
                              const WallSums& sums) const
 {
-    const ParticleColumns columns(p);
+    const ParticleColumns columns = columns_of(p);
     const WallVelocity velocity(frame_.before());
     const auto evaluate = [&]<Budget budget>(const auto law_of) {
         if (frame_.moves()) block.evaluate_moving<budget>(columns, law_of, velocity);
@@ -210,7 +210,7 @@ void SurfaceContacts::finish(const core::ParticleSet& p, const ContactLaws& laws
         if (sums.energy) evaluate.template operator()<Budget::kept>(law_of);
         else evaluate.template operator()<Budget::none>(law_of);
     });
-    block.add_to(SumColumns(sums.particles), index_of(sums.particles.begin));
+    block.add_to(columns_of(sums.particles), index_of(sums.particles.begin));
     if (sums.energy) block.add_books(columns, index_of(sums.particles.begin), WallVelocity(frame_.now()), *sums.energy);
     for (int k = 0; k < block.count; ++k) chunk.contacts.push_back({block.particle[k], block.normal(k), block.tangential(k)});
     for (int k = 0; k < block.count && block.turning; ++k) chunk.turns.push_back(block.turn(k));

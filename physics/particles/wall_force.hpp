@@ -21,34 +21,23 @@ struct WallMeeting {
 /// Columns of the particles as plain pointers, for vector code.
 struct ParticleColumns {
     const double *x, *y, *z, *vx, *vy, *vz, *wx, *wy, *wz, *radius, *mass;
-    explicit ParticleColumns(const core::ParticleSet& p)
-        : x(p.position[0].data()),
-          y(p.position[1].data()),
-          z(p.position[2].data()),
-          vx(p.velocity[0].data()),
-          vy(p.velocity[1].data()),
-          vz(p.velocity[2].data()),
-          wx(p.spin[0].data()),
-          wy(p.spin[1].data()),
-          wz(p.spin[2].data()),
-          radius(p.radius.data()),
-          mass(p.mass.data())
-    {
-    }
 };
 
 struct SumColumns {
     double *fx, *fy, *fz, *tx, *ty, *tz;
-    explicit SumColumns(ForceSums& s)
-        : fx(s.force[0].data()),
-          fy(s.force[1].data()),
-          fz(s.force[2].data()),
-          tx(s.torque[0].data()),
-          ty(s.torque[1].data()),
-          tz(s.torque[2].data())
-    {
-    }
 };
+
+[[nodiscard]] inline ParticleColumns columns_of(const core::ParticleSet& p)
+{
+    const auto &x = p.position, &v = p.velocity, &w = p.spin;
+    return {x[0].data(), x[1].data(), x[2].data(), v[0].data(),     v[1].data(),  v[2].data(),
+            w[0].data(), w[1].data(), w[2].data(), p.radius.data(), p.mass.data()};
+}
+
+[[nodiscard]] inline SumColumns columns_of(ForceSums& s)
+{
+    return {s.force[0].data(), s.force[1].data(), s.force[2].data(), s.torque[0].data(), s.torque[1].data(), s.torque[2].data()};
+}
 
 /// The input of the contact law of particle i, but for the spring.
 [[gnu::always_inline]] inline ContactInput wall_input(const ParticleColumns& p, std::size_t i, const WallMeeting& at)

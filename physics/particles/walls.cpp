@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "physics/particles/walls.hpp"
 #include "core/base/error.hpp"
-#include "physics/particles/wall_meeting.hpp"
+#include "physics/particles/wall_block.hpp"
 
 #include <algorithm>
 
@@ -38,81 +38,13 @@ bool keeps_shape(const CylinderWall& w)
            (m.angular_velocity.isZero(0.0) || vanishes((m.axis_point - w.point).cross(w.axis).norm(), w.radius));
 }
 
-/// The contacts [begin, end) of one wall: particles, no two alike, and springs.
-struct WallColumns {
-    const int* particle;
-    SpringColumns springs;
-    int begin, end;
-};
-
-/// What is noted of the contacts of one chunk with a wall that is reported.
-struct ContactNotes {
-    using Lane = std::array<double, core::particles_per_chunk>;
-    std::array<Lane, 3> force, couple, place;
-    Lane power;
-
-    /// @param x,y,z  Centre of the particle [m].
-    template <class Output>
-    [[gnu::always_inline]] void take(std::size_t k, double x, double y, double z, const MovingMeeting& at, const Output& f)
-    {
-        force[0][k] = f.fx;
-        force[1][k] = f.fy;
-        force[2][k] = f.fz;
-        if constexpr (std::is_same_v<Output, GeneralOutput>) {
-            couple[0][k] = f.mx;
-            couple[1][k] = f.my;
-            couple[2][k] = f.mz;
-        } else couple[0][k] = couple[1][k] = couple[2][k] = 0.0;
-        place[0][k] = x + at.depth * at.nx;
-        place[1][k] = y + at.depth * at.ny;
-        place[2][k] = z + at.depth * at.nz;
-        power[k] = power_of(f, at);
-    }
-    void add_to(WallLoad& load, int count, const Vec3& reference) const
-    {
-        const auto at = [](const std::array<Lane, 3>& lanes, std::size_t k) { return Vec3(lanes[0][k], lanes[1][k], lanes[2][k]); };
-        for (std::size_t k = 0; k < index_of(count); ++k)
-            if (const Vec3 push = at(force, k); !push.isZero(0.0)) load.add({push, at(couple, k), at(place, k) - reference, power[k]});
-    }
-};
-
-/// Of a wall that is neither reported nor moves.
-struct NoNotes {
-    template <class Output>
-    [[gnu::always_inline]] void take(std::size_t, double, double, double, const WallMeeting&, const Output&)
-    {
-    }
-};
-
-/// law_of(i) is the law of particle i.
-template <Budget budget, class Meet, class LawOf, class Notes>
-void run_contacts(const core::ParticleSet& p, const WallColumns& wall, const Meet meet, const LawOf law_of, const WallSums& sums,
-                  Notes& notes)
-{
-    const ParticleColumns columns(p);
-    const SumColumns add(sums.particles);
-    const auto first = index_of(sums.particles.begin);
-#pragma omp simd
-    for (int k = wall.begin; k < wall.end; ++k) {
-        const auto i = index_of(wall.particle[k]);
-        const auto& law = law_of(i);
-        const double half = 0.5 * law.step, x = columns.x[i], y = columns.y[i], z = columns.z[i];
-        const auto at = meet(x, y, z, half * columns.vx[i], half * columns.vy[i], half * columns.vz[i]);
-        ContactInput in = wall_input(columns, i, at);
-        const auto out = move_springs(law, in, wall.springs, k);
-        add_wall_force(out, at, i - first, add);
-        notes.take(index_of(k - wall.begin), x, y, z, at, out);
-        if constexpr (budget == Budget::kept) {
-            const ContactBook book = contact_book(law, in, out);
-            add_wall_book(book, at, i - first, *sums.energy);
-            if constexpr (Meet::moves) add_wall_work(out, book, meet.present(x, y, z, at), i - first, *sums.energy);
-        }
-    }
-}
-
 } // namespace
 
-WallContacts::WallContacts(std::vector<Wall> walls) : walls_(std::move(walls)), lists_(walls_.size())
+WallContacts::WallContacts(std::vector<Wall> walls, std::vector<int> kinds)
+    : walls_(std::move(walls)),
+      lists_(walls_.size()),
+      kinds_(std::move(kinds)),
+      kind_count_(1 + *std::max_element(kinds_.begin(), kinds_.end()))
 {
     for (auto& wall : walls_) {
         if (auto* plane = std::get_if<PlaneWall>(&wall)) {
@@ -178,7 +110,7 @@ void WallContacts::build(const core::ParticleSet& p, double skin, const core::Co
         auto& list = lists_[w];
         list.all.particle.clear();
         list.chunk_begin.clear();
-        list.near_end.clear();
+        list.runs.clear();
         list.all.spring.assign(index_of(history.width), {});
         list.frame.mark_listed();
         with_meeting(w, [&](const auto& meet) {
@@ -204,34 +136,51 @@ void WallContacts::refresh(const core::ParticleSet& p, double skin, const core::
         list.near.spring.resize(list.all.spring.size());
         for (auto& column : list.near.spring) column.resize(list.all.particle.size());
         const int chunks = int(list.chunk_begin.size()) - 1;
-        list.near_end.resize(index_of(chunks));
+        list.runs.resize(index_of(chunks));
         list.frame.mark_chosen();
         with_meeting(w, [&](const auto& meet) {
             team.run(chunks, [&](int c) {
-                const auto begin = index_of(list.chunk_begin[index_of(c)]), end = index_of(list.chunk_begin[index_of(c) + 1]);
-                auto next = begin;
-                for (auto k = begin; k < end; ++k) {
-                    const int i = list.all.particle[k];
+                std::vector<int> near;
+                for (int k = list.chunk_begin[index_of(c)]; k < list.chunk_begin[index_of(c) + 1]; ++k) {
+                    const int i = list.all.particle[index_of(k)];
                     const Vec3 x = p.position_of(i);
-                    if (meet(x[0], x[1], x[2], 0, 0, 0).depth - p.radius[index_of(i)] >= skin) continue;
-                    list.near.particle[next] = i;
-                    list.place[next] = int(k);
-                    for (std::size_t a = 0; a < list.all.spring.size(); ++a) list.near.spring[a][next] = list.all.spring[a][k];
-                    ++next;
+                    if (meet(x[0], x[1], x[2], 0, 0, 0).depth - p.radius[index_of(i)] < skin) near.push_back(k);
                 }
-                list.near_end[index_of(c)] = int(next);
+                choose(p, list, c, near);
             });
         });
+    }
+}
+
+/// Those of one kind come one after the other.
+void WallContacts::choose(const core::ParticleSet& p, List& list, int chunk, const std::vector<int>& near) const
+{
+    const auto kind_of = [&](int k) { return index_of(kinds_[index_of(p.species[index_of(list.all.particle[index_of(k)])])]); };
+    std::vector<int> next(index_of(kind_count_ + 1), 0);
+    for (const int k : near) ++next[kind_of(k) + 1];
+    next[0] = list.chunk_begin[index_of(chunk)];
+    auto& runs = list.runs[index_of(chunk)];
+    runs.clear();
+    for (std::size_t kind = 0; kind + 1 < next.size(); ++kind) {
+        next[kind + 1] += next[kind];
+        if (next[kind + 1] > next[kind]) runs.push_back({next[kind], next[kind + 1], int(kind)});
+    }
+    for (const int k : near) {
+        const auto place = index_of(next[kind_of(k)]++);
+        list.near.particle[place] = list.all.particle[index_of(k)];
+        list.place[place] = k;
+        for (std::size_t a = 0; a < list.all.spring.size(); ++a) list.near.spring[a][place] = list.all.spring[a][index_of(k)];
     }
 }
 
 void WallContacts::return_springs()
 {
     for (auto& list : lists_)
-        for (std::size_t c = 0; c < list.near_end.size(); ++c)
-            for (auto k = index_of(list.chunk_begin[c]); k < index_of(list.near_end[c]); ++k)
-                for (std::size_t a = 0; a < list.all.spring.size(); ++a)
-                    list.all.spring[a][index_of(list.place[k])] = list.near.spring[a][k];
+        for (const auto& runs : list.runs)
+            for (const Run& run : runs)
+                for (auto k = index_of(run.begin); k < index_of(run.end); ++k)
+                    for (std::size_t a = 0; a < list.all.spring.size(); ++a)
+                        list.all.spring[a][index_of(list.place[k])] = list.near.spring[a][k];
 }
 
 void WallContacts::append_row(int i, core::ContactHistory& history) const
@@ -247,21 +196,25 @@ void WallContacts::append_row(int i, core::ContactHistory& history) const
     }
 }
 
-void WallContacts::add_forces(const core::ParticleSet& p, const ContactLaws& laws, int chunk, const WallSums& sums)
+void WallContacts::add_forces(const MotionRecords& records, const ContactLaws& laws, int chunk, const WallSums& sums)
 {
     for (std::size_t w = 0; w < walls_.size(); ++w) {
         auto& list = lists_[w];
-        const WallColumns columns{list.near.particle.data(), spring_columns(list.near.spring), list.chunk_begin[index_of(chunk)],
-                                  list.near_end[index_of(chunk)]};
+        const auto& runs = list.runs[index_of(chunk)];
+        if (runs.empty()) continue;
+        const int begin = runs.front().begin, end = runs.back().end;
         with_meeting(w, [&]<class Meet>(const Meet& meet) {
             std::conditional_t<Meet::moves, ContactNotes, NoNotes> notes;
-            with_wall_laws(laws, p, [&](const auto law_of) {
-                if (sums.energy) run_contacts<Budget::kept>(p, columns, meet, law_of, sums, notes);
-                else run_contacts<Budget::none>(p, columns, meet, law_of, sums, notes);
-            });
+            std::visit(
+                [&](const auto& entries) {
+                    for (const Run& run : runs) {
+                        const WallColumns columns{list.near.particle.data(), list.near.spring, run.begin, run.end};
+                        run_contacts(records, columns, meet, entries[index_of(run.kind)], sums, notes, run.begin - begin);
+                    }
+                },
+                laws);
             if constexpr (Meet::moves)
-                if (list.report >= 0)
-                    notes.add_to(sums.loads[index_of(list.report)], columns.end - columns.begin, list.frame.now().axis_point);
+                if (list.report >= 0) notes.add_to(sums.loads[index_of(list.report)], end - begin, list.frame.now().axis_point);
         });
     }
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Contact of particles with planes and cylinders.
+#include "physics/particles/motion_records.hpp"
 #include "physics/particles/wall_frame.hpp"
 #include "physics/particles/wall_sums.hpp"
 
@@ -34,7 +35,8 @@ using Wall = std::variant<PlaneWall, CylinderWall>;
 /// The particles near each wall and their tangential springs.
 class WallContacts {
 public:
-    explicit WallContacts(std::vector<Wall> walls);
+    /// @param kinds  For each species what makes particles alike at walls: kinds_of() their laws.
+    WallContacts(std::vector<Wall> walls, std::vector<int> kinds);
     /// Lists the owned particles with a gap below `skin` [m].
     void build(const core::ParticleSet& particles, double skin, const core::ContactHistory& history);
     /// Chooses among them those with a gap below `skin` [m], which are all that have forces.
@@ -45,7 +47,7 @@ public:
     void append_row(int i, core::ContactHistory& history) const;
     /// Adds the forces of the walls to those of `chunk`, wall by wall, and moves the springs one step on.
     /// @param laws  One for each species, or one for all.
-    void add_forces(const core::ParticleSet& particles, const ContactLaws& laws, int chunk, const WallSums& sums);
+    void add_forces(const MotionRecords& records, const ContactLaws& laws, int chunk, const WallSums& sums);
     [[nodiscard]] bool empty() const { return walls_.empty(); }
 
     void move_to(const WallTime& at);
@@ -59,6 +61,10 @@ private:
         std::vector<int> particle;
         std::vector<core::Column> spring;
     };
+    /// Near contacts [begin, end) of one kind.
+    struct Run {
+        int begin, end, kind;
+    };
     /// Contacts of one wall, in order of the particles.
     struct List {
         WallFrame frame;
@@ -66,15 +72,18 @@ private:
         bool same_shape; ///< The motion maps the wall onto itself: only its surface moves.
         Contacts all;
         std::vector<int> chunk_begin;
-        Contacts near;          ///< Those of each chunk begin where all of it begin.
-        std::vector<int> place; ///< Of near contacts among all.
-        std::vector<int> near_end;
+        Contacts near;                      ///< Those of each chunk begin where all of it begin.
+        std::vector<int> place;             ///< Of near contacts among all.
+        std::vector<std::vector<Run>> runs; ///< Of each chunk.
     };
+    void choose(const core::ParticleSet& particles, List& list, int chunk, const std::vector<int>& near) const;
     template <class Act>
     void with_meeting(std::size_t wall, Act act) const;
 
     std::vector<Wall> walls_; ///< In their own frames.
     std::vector<List> lists_;
+    std::vector<int> kinds_;
+    int kind_count_;
 };
 
 } // namespace physics

@@ -11,10 +11,8 @@ inline core::PairList listed_pairs(const core::ParticleSet& set, const core::Lev
 {
     core::CellLists cells;
     cells.build(set, bins);
-    core::ContactHistory none;
-    for (int i = 0; i < set.owned; ++i) none.end_row();
     core::PairList pairs;
-    pairs.build(set, cells, skin, none, core::SerialTeam{});
+    pairs.build(set, cells, skin, core::SerialTeam{});
     return pairs;
 }
 

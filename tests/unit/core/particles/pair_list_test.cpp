@@ -55,7 +55,10 @@ void compare(const core::Domain& domain, double small, double large)
     set.reorder(core::order_by_bin(set, bins.finest()));
     const core::PairList pairs = test::listed_pairs(set, bins, skin);
     core::NearPairs near;
-    near.refresh(set, pairs, core::image_shifts(domain), skin - margin, core::SerialTeam{});
+    core::ContactHistory none;
+    for (int i = 0; i < set.owned; ++i) none.end_row();
+    const auto shifts = core::image_shifts(domain);
+    near.start({set, pairs, shifts, skin - margin}, none, core::SerialTeam{});
     std::set<Key> listed, near_listed;
     for (int p = 0; p < pairs.size(); ++p) {
         const Key key{set.id[std::size_t(pairs.first[std::size_t(p)])], set.id[std::size_t(pairs.second[std::size_t(p)])]};
@@ -63,8 +66,9 @@ void compare(const core::Domain& domain, double small, double large)
         CHECK(listed.insert(key).second); // each pair once
     }
     for (int c = 0; c < pairs.chunks(); ++c)
-        for (int m = pairs.chunk_begin[std::size_t(c)]; m < near.shifted_end[std::size_t(c)]; ++m)
-            near_listed.insert({set.id[std::size_t(near.first[std::size_t(m)])], set.id[std::size_t(near.second[std::size_t(m)])]});
+        for (const auto& run : near.runs[std::size_t(c)])
+            for (int m = run.begin; m < run.end; ++m)
+                near_listed.insert({set.id[std::size_t(near.first[std::size_t(m)])], set.id[std::size_t(near.second[std::size_t(m)])]});
     const auto wanted = brute_force(set, domain, skin - margin);
     for (const auto& key : wanted) CHECK(listed.count(key) == 1);
     CHECK(near_listed == wanted);

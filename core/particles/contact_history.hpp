@@ -49,6 +49,8 @@ struct ContactHistory {
         return {};
     }
 
+    /// Drops all rows and gives their memory back.
+    void release() { *this = ContactHistory{width, {0}, {}, {}}; }
     /// Drops all rows.
     void clear()
     {

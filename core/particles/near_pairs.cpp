@@ -69,16 +69,17 @@ void NearPairs::select(const Choice& from, const ContactHistory* history, int ch
     const auto take = [&](std::size_t p) {
         const auto m = index_of(next[key_of(p)]++);
         const Spring kept = history ? spring_before(from.particles, pairs, p, *history) : Spring{};
-        const int place = history ? -1 : place_[p] - begin;
+        const int place = history || slot_[p] < 0 ? -1 : slot_[p] - offset_[index_of(chunk)] - begin;
         for (std::size_t a = 0; a < spring.size(); ++a) spring[a][m] = place >= 0 ? old[a][index_of(place)] : kept[a];
         first[m] = pairs.first[p];
         second[m] = pairs.second[p];
         pair[m] = int(p);
     };
     for (const int p : near) take(index_of(p));
-    std::fill(place_.begin() + begin, place_.begin() + end, -1);
+    const int offset = from.slots.offset[index_of(chunk)];
+    std::fill(slot_.begin() + begin, slot_.begin() + end, -1);
     if (!chunk_runs.empty())
-        for (int m = begin; m < chunk_runs.back().end; ++m) place_[index_of(pair[index_of(m)])] = m;
+        for (int m = begin; m < chunk_runs.back().end; ++m) slot_[index_of(pair[index_of(m)])] = m + offset;
 }
 
 void NearPairs::sort_by_length(const PairList& pairs, int begin, int end)
@@ -95,7 +96,7 @@ void NearPairs::sort_by_length(const PairList& pairs, int begin, int end)
 void NearPairs::start(const Choice& choice, const ContactHistory& history, const Team& team)
 {
     const auto total = index_of(choice.pairs.size());
-    for (auto* list : {&first, &second, &pair, &place_}) list->resize(total);
+    for (auto* list : {&first, &second, &pair, &slot_}) list->resize(total);
     spring.resize(index_of(history.width));
     for (auto& column : spring) column.resize(total);
     runs.resize(index_of(choice.pairs.chunks()));
@@ -115,25 +116,32 @@ void NearPairs::choose(const Choice& from, const ContactHistory* history, const 
         for (int i = begin; i < end; ++i) {
             int next = pairs.row_begin[index_of(i)];
             for (int k = next; k < pairs.row_begin[index_of(i) + 1]; ++k) {
-                const int entry = pairs.row[index_of(k)], m = place_[index_of(entry / 2)];
-                row[index_of(next)] = 2 * m + entry % 2;
-                next += int(m >= 0);
+                const int entry = pairs.row[index_of(k)], slot = slot_[index_of(entry / 2)];
+                row[index_of(next)] = 2 * slot + entry % 2;
+                next += int(slot >= 0);
             }
             row_end[index_of(i)] = next;
         }
         sort_by_length(pairs, begin, end);
     });
+    offset_ = from.slots.offset;
+}
+
+int NearPairs::near_of(const PairList& pairs, std::size_t p) const
+{
+    const int chunk = std::min(pairs.first[p], pairs.second[p]) / particles_per_chunk;
+    return slot_[p] < 0 ? -1 : slot_[p] - offset_[index_of(chunk)];
 }
 
 void NearPairs::append_row(const ParticleSet& particles, const PairList& pairs, int i, ContactHistory& history) const
 {
-    for (int k = pairs.row_begin[index_of(i)]; k < row_end[index_of(i)]; ++k) {
-        const int entry = row[index_of(k)];
-        const auto m = index_of(entry / 2);
+    for (int k = pairs.row_begin[index_of(i)]; k < pairs.row_begin[index_of(i) + 1]; ++k) {
+        const int entry = pairs.row[index_of(k)], m = near_of(pairs, index_of(entry / 2));
+        if (m < 0) continue;
         Spring value{};
-        for (std::size_t a = 0; a < spring.size(); ++a) value[a] = spring[a][m];
+        for (std::size_t a = 0; a < spring.size(); ++a) value[a] = spring[a][index_of(m)];
         if (value == Spring{}) continue;
-        history.add(particles.id[index_of(entry % 2 == 0 ? second[m] : first[m])], value);
+        history.add(particles.id[index_of(entry % 2 == 0 ? second[index_of(m)] : first[index_of(m)])], value);
     }
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The few pairs that may touch within the next sub-steps: a part of the pair list, refreshed without messages.
-#include "core/particles/pair_list.hpp"
+#include "core/particles/pair_slots.hpp"
 
 namespace core {
 
@@ -22,6 +22,7 @@ public:
         const PairList& pairs;
         const std::array<Vec3, 27>& shifts;
         double skin;
+        const PairSlots& slots;
     };
     /// Chooses for the first time after PairList::build(). @param history  One row for each owned particle: springs that go on.
     void start(const Choice& choice, const ContactHistory& history, const Team& team);
@@ -38,15 +39,18 @@ public:
     std::vector<int> pair;                  ///< Which of the pair list.
     std::vector<Column> spring;             ///< Springs of `first` against `second`: as many columns as the history is wide.
     std::vector<std::vector<NearRun>> runs; ///< Of each chunk.
-    std::vector<int> row;                   ///< As PairList::row with near pairs; row i begins at pairs.row_begin[i].
+    std::vector<int> row;                   ///< As PairList::row with the slots of near pairs; row i begins at pairs.row_begin[i].
     std::vector<int> row_end;
     std::vector<std::uint8_t> order; ///< The particles of each chunk from its first one, those with fewest near pairs first.
 
 private:
+    /// The near pair of pair p; negative if it is not near.
+    [[nodiscard]] int near_of(const PairList& pairs, std::size_t p) const;
     void choose(const Choice& choice, const ContactHistory* history, const Team& team);
     void select(const Choice& choice, const ContactHistory* history, int chunk);
     void sort_by_length(const PairList& pairs, int begin, int end);
-    std::vector<int> place_; // near pair of each pair, or -1
+    std::vector<int> slot_;   // of each pair; -1 unless it is near
+    std::vector<int> offset_; // of the slots, for each chunk
 };
 
 } // namespace core

@@ -21,7 +21,8 @@ struct PairColumns {
     std::vector<core::Column>& spring;
     ContactForce* forces;
     ContactCouple* couples;
-    PairBook* books; ///< Null where no budget is kept.
+    PairBook* books;       ///< Null where no budget is kept.
+    std::ptrdiff_t offset; ///< From near pairs to their slots.
 };
 
 /// What the particles of some consecutive pairs bring together, and what comes out: small enough for the innermost cache.
@@ -174,17 +175,18 @@ void run_pairs(const PairScene& scene, const PairColumns& pair, int begin, int e
     for (; begin < end; begin += PairBlock::size) {
         const int count = std::min(PairBlock::size, end - begin);
         const auto bytes = std::size_t(count) * sizeof(double);
+        const std::ptrdiff_t slot = begin + pair.offset;
         read_block(scene.records.data(), pair, begin, count, move, block);
         for_each_spring(pair, begin, block, [&](const double* from, double* to) {
             std::memcpy(to, from, bytes);
             std::fill(to + count, to + whole(count), 0.0);
         });
         if (any_coincident(block, count)) separate(scene, pair, begin, count, block);
-        if (pair.books) evaluate_block<Budget::kept>(law, count, block, pair.books + begin);
+        if (pair.books) evaluate_block<Budget::kept>(law, count, block, pair.books + slot);
         else evaluate_block<Budget::none>(law, count, block, nullptr);
         for_each_spring(pair, begin, block, [&](double* to, const double* from) { std::memcpy(to, from, bytes); });
-        write_block(block, count, pair.forces + begin);
-        if constexpr (Law::resists_turning) write_couples(block, count, pair.couples + begin);
+        write_block(block, count, pair.forces + slot);
+        if constexpr (Law::resists_turning) write_couples(block, count, pair.couples + slot);
     }
 }
 
@@ -215,13 +217,15 @@ void separate(const PairScene& scene, const PairColumns& pair, int begin, int co
 
 void pair_forces(const PairScene& scene, core::NearPairs& near, int chunk, PairForces& forces)
 {
+    const std::ptrdiff_t offset = scene.slots.offset[std::size_t(chunk)];
     const PairColumns pair{near.first.data(),
                            near.second.data(),
                            near.pair.data(),
                            near.spring,
                            forces.forces.data(),
                            forces.couples.data(),
-                           forces.books.empty() ? nullptr : forces.books.data()};
+                           forces.books.empty() ? nullptr : forces.books.data(),
+                           offset};
     const core::Vec3* shifts = scene.shifts.data();
     const std::uint8_t* image = scene.pairs.image.data();
     const auto shifted = [=](int m, const core::Eight& d) {

@@ -30,16 +30,16 @@ struct PairBook {
     double torque[3]; ///< [N]
 };
 
-/// What the contacts of pairs do, one place for each pair of the pair list.
+/// What the contacts of pairs do, slot by slot (core::PairSlots).
 struct PairForces {
     std::vector<ContactForce> forces;
     std::vector<ContactCouple> couples; ///< Empty where contacts do not resist turning.
     std::vector<PairBook> books;        ///< Empty where no budget is kept.
-    void resize(std::size_t pairs, const ContactLaws& laws, Budget budget)
+    void resize(std::size_t slots, const ContactLaws& laws, Budget budget)
     {
-        forces.resize(pairs);
-        couples.resize(resist_turning(laws) ? pairs : 0);
-        books.resize(budget == Budget::kept ? pairs : 0);
+        forces.resize(slots);
+        couples.resize(resist_turning(laws) ? slots : 0);
+        books.resize(budget == Budget::kept ? slots : 0);
     }
 };
 
@@ -48,6 +48,7 @@ struct PairScene {
     const core::ParticleSet& particles;
     const MotionRecords& records;
     const core::PairList& pairs;
+    const core::PairSlots& slots;
     const std::array<core::Vec3, 27>& shifts;
     const ContactLaws& laws;
     std::uint64_t seed;

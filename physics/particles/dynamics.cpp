@@ -171,7 +171,6 @@ void ParticleDynamics::build(const core::Team& team)
     pairs_.build(particles, cells_, skin_, team);
     walls_.build(particles, 0.5 * skin_, history); // half: what walls do themselves is in wall_way_
     for (SurfaceContacts& surface : surfaces_) surface.build(particles, 0.5 * skin_, 0.5 * near_skin_, history);
-    forces_.resize(index_of(pairs_.size()), pair_laws_, parameters_.energy_budget);
     records_.resize(particles.size());
     records_.update(particles, 0, particles.size());
     for (std::size_t a = 0; a < 3; ++a)
@@ -184,11 +183,14 @@ void ParticleDynamics::build(const core::Team& team)
 
 void ParticleDynamics::refresh_near(const core::Team& team)
 {
-    const core::NearPairs::Choice choice{particles, pairs_, shifts_, near_skin_};
+    const core::NearPairs::Choice choice{particles, pairs_, shifts_, near_skin_, slots_};
     if (near_built_) {
         walls_.return_springs();
         near_.refresh(choice, team);
-    } else near_.start(choice, history, team);
+    } else {
+        near_.start(choice, history, team);
+        history.release();
+    }
     walls_.refresh(particles, 0.5 * near_skin_, team);
     for (SurfaceContacts& surface : surfaces_) surface.refresh(particles, team);
     near_built_ = true;
@@ -202,17 +204,20 @@ void ParticleDynamics::measure_watched(const core::Team& team)
     else measure_no_contacts(particles, *contact_columns_);
 }
 
-void ParticleDynamics::plan_segments(int threads)
+void ParticleDynamics::plan_chunks(int threads)
 {
     const int chunks = chunk_count(particles), count = std::clamp(threads, 1, std::max(1, chunks));
-    segments_.clear();
-    for (int s = 0; s <= count; ++s) segments_.push_back(int(std::int64_t(chunks) * s / count));
-    deferred_.assign(index_of(chunks), 0);
+    chunks_.segments.clear();
+    for (int s = 0; s <= count; ++s) chunks_.segments.push_back(int(std::int64_t(chunks) * s / count));
+    chunks_.deferred.assign(index_of(chunks), 0);
     for (int s = 0; s < count; ++s)
-        for (int c = segments_[index_of(s)]; c < segments_[index_of(s) + 1]; ++c)
+        for (int c = chunks_.segments[index_of(s)]; c < chunks_.segments[index_of(s) + 1]; ++c)
             for (const int later : pairs_.links[index_of(c)])
-                if (later >= segments_[index_of(s) + 1]) deferred_[index_of(later)] = 1;
+                if (later >= chunks_.segments[index_of(s) + 1]) chunks_.deferred[index_of(later)] = 1;
     planned_threads_ = threads;
+    if (contact_columns_) slots_.keep_all(pairs_);
+    else slots_.plan(pairs_, chunks_);
+    forces_.resize(index_of(slots_.count), pair_laws_, parameters_.energy_budget);
     std::vector<WallLoad> so_far = loads();
     so_far.resize(index_of(count * reports_));
     loads_ = std::move(so_far);
@@ -235,8 +240,8 @@ void ParticleDynamics::sum_chunk(int segment, int chunk, ForceSums& sums, Energy
 template <class M>
 double ParticleDynamics::advance_as(const M& motion, const core::Team& team, const DriftTimes& times)
 {
-    const PairScene scene{particles, records_, pairs_, shifts_, pair_laws_, parameters_.seed};
-    const int segments = int(segments_.size()) - 1;
+    const PairScene scene{particles, records_, pairs_, slots_, shifts_, pair_laws_, parameters_.seed};
+    const int segments = int(chunks_.segments.size()) - 1;
     std::vector<double> greatest(index_of(segments), 0.0);
     const auto move = [&](int s, int c) {
         ForceSums sums;
@@ -248,15 +253,15 @@ double ParticleDynamics::advance_as(const M& motion, const core::Team& team, con
         records_.update(particles, sums.begin, sums.end);
     };
     team.run(segments, [&](int s) {
-        for (int c = segments_[index_of(s)]; c < segments_[index_of(s) + 1]; ++c) {
+        for (int c = chunks_.segments[index_of(s)]; c < chunks_.segments[index_of(s) + 1]; ++c) {
             pair_forces(scene, near_, c, forces_);
-            if (!deferred_[index_of(c)]) move(s, c);
+            if (!chunks_.deferred[index_of(c)]) move(s, c);
         }
     });
     if (segments > 1)
         team.run(segments, [&](int s) {
-            for (int c = segments_[index_of(s)]; c < segments_[index_of(s) + 1]; ++c)
-                if (deferred_[index_of(c)]) move(s, c);
+            for (int c = chunks_.segments[index_of(s)]; c < chunks_.segments[index_of(s) + 1]; ++c)
+                if (chunks_.deferred[index_of(c)]) move(s, c);
         });
     return *std::max_element(greatest.begin(), greatest.end());
 }
@@ -265,8 +270,9 @@ double ParticleDynamics::advance(const Motion& motion, const core::Team& team, i
 {
     ++load_steps_;
     if (particles.owned == 0) return 0.0;
-    if (!near_built_ || 2.0 * (near_travelled_ + near_wall_way_) >= near_skin_) refresh_near(team);
-    if (planned_threads_ != team.threads()) plan_segments(team.threads());
+    const bool planned = planned_threads_ == team.threads();
+    if (!planned) plan_chunks(team.threads());
+    if (!planned || !near_built_ || 2.0 * (near_travelled_ + near_wall_way_) >= near_skin_) refresh_near(team);
     const double half = 0.5 * step_;
     const DriftTimes times{step_, half, sub_step + 1 < sub_steps ? half : 0.0};
     return std::visit([&](const auto& m) { return advance_as(m, team, times); }, motion);

@@ -96,7 +96,7 @@ public:
 private:
     void set_reach(double radius);
     void refresh_near(const core::Team& team);
-    void plan_segments(int threads);
+    void plan_chunks(int threads);
     void sum_chunk(int segment, int chunk, ForceSums& sums, EnergySums* energy);
     template <class M>
     double advance_as(const M& motion, const core::Team& team, const DriftTimes& times);
@@ -117,6 +117,8 @@ private:
     core::CellLists cells_;
     core::PairList pairs_;
     core::NearPairs near_;
+    core::ChunkPlan chunks_;
+    core::PairSlots slots_;
     PairForces forces_;
     MotionRecords records_;
     core::Triple reference_; // positions at the last rebuild
@@ -125,8 +127,6 @@ private:
     std::optional<double> begin_; // time at the beginning of the batch
     core::Bounds extent_;         // of all that can meet a wall before the next rebuild
     double wall_way_ = 0.0, near_wall_way_ = 0.0;
-    std::vector<int> segments_;  // chunks [segments_[s], segments_[s + 1]) run one after the other
-    std::vector<char> deferred_; // chunks that other segments' pairs touch: moved when all pairs are done
     int planned_threads_ = 0;
     std::optional<ContactColumns> contact_columns_;
 };

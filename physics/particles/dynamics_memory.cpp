@@ -29,6 +29,7 @@ std::size_t room_of(const core::PairList& pairs, const core::NearPairs& near)
 {
     std::size_t bytes = room_of_all(pairs.first, pairs.second, pairs.image, pairs.row_begin, pairs.row);
     bytes += room_of_all(near.first, near.second, near.pair, near.row, near.row_end, near.order);
+    bytes += room(near.pair); // as much again: the slot of each pair
     for (const auto& column : near.spring) bytes += room(column);
     return bytes;
 }

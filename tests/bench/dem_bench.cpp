@@ -164,8 +164,9 @@ void print_state(const Case& scene, const physics::ParticleDynamics& dynamics)
         height += p.position[std::size_t(up)][std::size_t(i)];
         energy += 0.5 * p.mass[std::size_t(i)] * p.velocity_of(i).squaredNorm();
     }
-    std::printf("state: mean height %.6f mm; contacts per grain %.4f; kinetic energy %.6g J\n",
-                1e3 * (height / p.owned + scene.domain.origin[up]), contacts_per_grain(dynamics), energy);
+    std::printf("state: mean height %.6f mm; contacts per grain %.4f; kinetic energy %.6g J; %.0f bytes for each\n",
+                1e3 * (height / p.owned + scene.domain.origin[up]), contacts_per_grain(dynamics), energy,
+                double(dynamics.bytes()) / p.owned);
 }
 
 } // namespace

@@ -58,7 +58,9 @@ void compare(const core::Domain& domain, double small, double large)
     core::ContactHistory none;
     for (int i = 0; i < set.owned; ++i) none.end_row();
     const auto shifts = core::image_shifts(domain);
-    near.start({set, pairs, shifts, skin - margin}, none, core::SerialTeam{});
+    core::PairSlots slots;
+    slots.keep_all(pairs);
+    near.start({set, pairs, shifts, skin - margin, slots}, none, core::SerialTeam{});
     std::set<Key> listed, near_listed;
     for (int p = 0; p < pairs.size(); ++p) {
         const Key key{set.id[std::size_t(pairs.first[std::size_t(p)])], set.id[std::size_t(pairs.second[std::size_t(p)])]};

@@ -3,6 +3,7 @@
 #include "core/comm/communicator.hpp"
 #include "core/base/error.hpp"
 #include "core/base/patience.hpp"
+#include "core/comm/lone_process.hpp"
 
 #include <mpi.h>
 
@@ -13,6 +14,7 @@ namespace core {
 MpiSession::MpiSession(int& argc, char**& argv)
 {
     int provided = MPI_THREAD_SINGLE;
+    const LoneProcess alone;
     MPI_Init_thread(&argc, &argv, MPI_THREAD_SERIALIZED, &provided);
     require<Error>(provided >= MPI_THREAD_SERIALIZED, "this MPI does not provide MPI_THREAD_SERIALIZED");
 }

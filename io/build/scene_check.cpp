@@ -94,9 +94,6 @@ private:
                      "write walls: faces");
         if (particles && !scene_.contact) complain("particles", "particles need 'contact'", "add contact: { stiffness: 5 kN/m }");
         if (!particles && scene_.contact) complain("contact", "'contact' does nothing without 'particles'", "remove it, or add particles");
-        if (particles && scene_.fluid && scene_.fluid->advection == AdvectionScheme::finite_volume)
-            complain("fluid.advection", "finite volumes do not carry the momentum of a fluid between particles yet",
-                     "write advection: lcsi, or leave it out");
         if (!particles && scene_.output.energy_budget == EnergyBudget::kept)
             complain("output.energy_budget", "'energy_budget' does nothing without 'particles'", "remove it, or add particles");
         check_bed_measures(particles);

@@ -130,6 +130,8 @@ void MomentumLedger::sum_step(core::LocalBlock b, std::span<double> sum) const
     const auto old_gradient = own.pressure_gradient.on(b), new_gradient = own.psi_gradient.on(b);
     const auto grains = f.sums.on(b);
     const auto solid = grains[physics::sum_solid];
+    if (world_.fluid()->by_finite_volumes()) // what the ledger has of it
+        add_vector(sum, of_advection, physics::volume_sum(world_.mesh().geometry(b), world_.coupling()->transport().owed.on(b)));
     for (int c = 0; c < 3; ++c) {
         const auto n = std::size_t(c);
         const auto at = [c](const auto& field) { return field.component(c); };

@@ -26,7 +26,8 @@ struct MomentumImpulses {
     core::Vec3 wall_friction = core::Vec3::Zero(); ///< from the viscous fluxes through the walls
     core::Vec3 traffic = core::Vec3::Zero();       ///< of grains that came or went before the step, and of the fluid in their place
     core::Vec3 through = core::Vec3::Zero();       ///< carried in and out through open boundaries
-    core::Vec3 advection = core::Vec3::Zero();     ///< what interpolation at departure points made or lost, fluid content included
+    /// What interpolation at departure points made or lost, fluid content included; of finite volumes round-off.
+    core::Vec3 advection = core::Vec3::Zero();
     core::Vec3 gradient = core::Vec3::Zero();      ///< sum of the pressure gradients in cells beyond the walls' push: 0 on uniform grids
     core::Vec3 viscous_share = core::Vec3::Zero(); ///< mean viscous stress on grains, beyond their share of the fluid's
     core::Vec3 given = core::Vec3::Zero();         ///< by the fluid to the grains

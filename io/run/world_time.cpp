@@ -27,7 +27,9 @@ physics::TransportRates World::transport_rates(const core::Vec3& pull) const
     physics::TransportRates rates;
     for (core::LocalBlock b = 0; b < mesh_.own_count(); ++b) {
         physics::TransportRates here = physics::transport_rates(mesh_.geometry(b), fluid_->state().velocity.on(b), pull);
-        if (fluid_->by_finite_volumes()) here.outflow = physics::largest_outflow_rate(mesh_.geometry(b), fluid_->state().flux.on(b));
+        if (fluid_->by_finite_volumes())
+            here.outflow = coupling_ ? coupling_->outflow_rate(b)
+                                     : physics::largest_outflow_rate(mesh_.geometry(b), std::as_const(fluid_->state()).flux.on(b));
         if (starts) {
             const physics::TransportRates begun = physics::transport_rates(mesh_.geometry(b), fluid_->state().velocity.on(b), start);
             here.displacement = std::max(here.displacement, begun.growth);
@@ -50,7 +52,9 @@ physics::TimeStepLimit World::limit_of_step() const
     physics::TimeStepOptions options;
     if (!scene_.run.time_step) options.largest = (scene_.run.until + scene_.run.settle) / still_steps;
     options.displacement = scene_.run.limits.cfl;
-    options.outflow = std::min(scene_.run.limits.cfl, options.outflow);
+    // Beside grains no face may carry more than its cell has, and what it carries may grow until the middle of the step.
+    constexpr double beside_grains = 0.8;
+    options.outflow = std::min(scene_.run.limits.cfl, coupling_ ? beside_grains : options.outflow);
     physics::TimeStepLimit limit =
         fluid_->by_finite_volumes() ? physics::outflow_step_limit(rates, options) : physics::time_step_limit(rates, options);
     if (coupling_) {

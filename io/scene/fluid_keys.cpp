@@ -89,7 +89,7 @@ void describe(Schema& s, Fluid& p)
         "advection",
         "How the flow carries its velocity. lcsi: from where the water of each cell came from, steps bounded by accuracy alone; "
         "lcsi_spline: the same by local splines that nothing bounds, for comparison; finite_volume: by fluxes through faces, which keep "
-        "all momentum: steps in which a cell loses at most its own fluid, no particles",
+        "all momentum: steps in which a cell loses at most its own fluid",
         choice_of(p.advection, advection_scheme_words));
     s.list("boundaries", p.boundaries, "Boundaries other than walls at rest");
     s.group("drive", p.drive, "What pushes the fluid along a periodic axis");

@@ -3,6 +3,7 @@
 #include "physics/coupling/cell_exchange.hpp"
 #include "physics/coupling/predictor.hpp"
 #include "physics/fluid/cell_loops.hpp"
+#include "physics/fluid/face_flux.hpp"
 
 namespace physics {
 
@@ -20,6 +21,19 @@ void fluid_velocity(CellVectors flux, const GrainSumViews& sums, core::VectorVie
         map_cells(
             velocity.component(int(c)), [](double q, double solid, double carried) { return (q - carried) / (1.0 - solid); },
             flux.component(int(c)), sums[sum_solid], sums[sum_flux + c]);
+}
+
+void flux_density_of_grains(const GrainSumViews& sums, core::VectorView<double> density)
+{
+    for (std::size_t c = 0; c < 3; ++c)
+        map_cells(
+            density.component(int(c)), [](double q) { return q; }, sums[sum_flux + c]);
+}
+
+void flux_of_grains(const core::BlockGeometry& geometry, const BlockWalls& walls, CellVectors density, core::FaceView<double> flux)
+{
+    interpolated_flux(geometry, walls, density, flux);
+    close_boundaries(walls, flux);
 }
 
 void predicted_velocity_change(const FluidOwn& own, const GrainSumViews& sums, CellVectors ledger, CellVectors miss,

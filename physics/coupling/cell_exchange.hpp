@@ -4,6 +4,7 @@
 // The cells' side of the exchange on one block: predictor and mobility of the projection (steps 4 and 5 of
 // response.hpp). Forces are per volume, without the drive unless said.
 #include "physics/coupling/exchange_fields.hpp"
+#include "physics/fluid/boundary.hpp"
 
 namespace physics {
 
@@ -25,6 +26,12 @@ struct FluidOwn {
 void mixture_flux(CellVectors velocity, const GrainSumViews& sums, core::VectorView<double> flux);
 /// Its inverse: the velocity of the fluid that makes a flux of the mixture what it is; both may be the same array.
 void fluid_velocity(CellVectors flux, const GrainSumViews& sums, core::VectorView<double> velocity);
+
+/// Flux density of the grains, put(V v) [m/s].
+void flux_density_of_grains(const GrainSumViews& sums, core::VectorView<double> density);
+/// The flux of grains through faces; nothing of it passes boundaries, which hold grains back [m3/s].
+/// @param density  One halo layer.
+void flux_of_grains(const core::BlockGeometry& geometry, const BlockWalls& walls, CellVectors density, core::FaceView<double> flux);
 
 /// du of the predictor.
 void predicted_velocity_change(const FluidOwn& own, const GrainSumViews& sums, CellVectors ledger, CellVectors miss,

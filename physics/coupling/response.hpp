@@ -44,7 +44,8 @@
 //     In `coarse` and `concurrent`: what is left of the fluid's equation with the real sums in place of those it took,
 //        L = L^n + dt phi G^{n+1} + rho phi (u^a - u^{n+1}) - put(J) - hidden - added miss - reaction_p du - (reaction_q ru -
 //        entrained dt) dG,
-//     whatever the places of those it took. With flux-form advection (test column): besides,
+//     whatever the places of those it took. With finite volumes, in any mode: besides, what their flux F of the fluid and the places of the
+//     grains disagree by, moved by a flux that makes up for it (coupled_advection.cpp). With any flux form (test column): besides,
 //        L = rho phi^n u^n - dt div(F rho u) - rho phi^{n+1} u^a,  F the volume flux of the fluid at n   (conserved_ledger).
 // The filtered u, -grad p and Dudt of n+1 are made once: for 6, and kept for 2 of the next step. du, dG and miss at the grains
 // are differences of them, for filter and sampling are linear.

@@ -8,28 +8,6 @@
 #include "physics/fluid/sub_face_momentum.hpp"
 
 namespace physics {
-namespace {
-
-/// What one component carries through the boundaries of a block.
-void boundary_momentum_flux(const MomentumTransport& transport, int component, core::FaceView<const double> flux,
-                            core::VectorView<const double> middle, core::FaceView<double> out)
-{
-    for (const core::Side side : core::all_sides) {
-        const BlockSide &before = transport.walls_before.at(side), &after = transport.walls.at(side);
-        if (!after.kind) continue;
-        const auto f = flux.along(core::axis_of(side));
-        const auto o = out.along(core::axis_of(side));
-        for_each_side_face(transport.geometry.cells, side, [&](int i, int j, int k) {
-            const core::Index3 face{i, j, k}, c = cell_at_face(face, side);
-            const core::Vec3 inside(middle.x[c], middle.y[c], middle.z[c]);
-            const double outward = core::is_high(side) ? f[face] : -f[face];
-            const core::Vec3 twice = carried_through(before, c, outward, inside) + carried_through(after, c, outward, inside);
-            o[face] = f[face] * 0.5 * twice[component];
-        });
-    }
-}
-
-} // namespace
 
 void middle_flux(double weight, core::FaceView<const double> flux, core::FaceView<double> before, core::FaceView<double> middle)
 {
@@ -53,6 +31,24 @@ void middle_velocity(double dt, core::VectorView<const double> transport, core::
     }
 }
 
+void boundary_momentum_flux(const FlowBoundaries& boundaries, int component, core::FaceView<const double> flux,
+                            core::VectorView<const double> inside, core::FaceView<double> out)
+{
+    for (const core::Side side : core::all_sides) {
+        const BlockSide &before = boundaries.before.at(side), &after = boundaries.after.at(side);
+        if (!after.kind) continue;
+        const auto f = flux.along(core::axis_of(side));
+        const auto o = out.along(core::axis_of(side));
+        for_each_side_face(boundaries.geometry.cells, side, [&](int i, int j, int k) {
+            const core::Index3 face{i, j, k}, c = cell_at_face(face, side);
+            const core::Vec3 within(inside.x[c], inside.y[c], inside.z[c]);
+            const double outward = core::is_high(side) ? f[face] : -f[face];
+            const core::Vec3 twice = carried_through(before, c, outward, within) + carried_through(after, c, outward, within);
+            o[face] = f[face] * 0.5 * twice[component];
+        });
+    }
+}
+
 void momentum_outflow(const MomentumTransport& transport, core::FaceView<const double> flux, const CarriedVelocity& carried,
                       core::FaceView<double> scratch, core::VectorView<double> outflow)
 {
@@ -60,7 +56,7 @@ void momentum_outflow(const MomentumTransport& transport, core::FaceView<const d
         const CarriedValue value{carried.velocity.component(c), carried.middle.component(c), carried.gradients[std::size_t(c)]};
         transport_flux(transport.geometry, transport.centres, flux, value, scratch);
         close_joined(transport.geometry, scratch);
-        boundary_momentum_flux(transport, c, flux, carried.middle, scratch);
+        boundary_momentum_flux({transport.geometry, transport.walls_before, transport.walls}, c, flux, carried.middle, scratch);
         net_outflow(scratch, outflow.component(c));
     }
 }

@@ -26,6 +26,16 @@ struct CarriedVelocity {
     std::array<core::VectorView<const double>, 3> gradients; ///< of velocity [1/s]
 };
 
+/// Boundaries of a block at the start and at the end of a step.
+struct FlowBoundaries {
+    const core::BlockGeometry& geometry;
+    const BlockWalls &before, &after;
+};
+/// What one component carries through the boundaries of a block; no other face is touched.
+/// @param inside  Velocity in the cells beside them, in the middle of the step [m/s].
+void boundary_momentum_flux(const FlowBoundaries& boundaries, int component, core::FaceView<const double> flux,
+                            core::VectorView<const double> inside, core::FaceView<double> out);
+
 /// Outflow of momentum from each cell but through sub-faces (sub_face_momentum.hpp), per unit density [m4/s2].
 /// @param flux          In the middle of the step [m3/s].
 /// @param scratch       For the flux of one component.

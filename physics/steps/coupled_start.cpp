@@ -48,6 +48,7 @@ tasks::Job CoupledStep::find_fraction(tasks::Lane& lane)
         map_cells(
             fields_.fraction.on(b), [](double c) { return 1.0 - c; }, fields_.sums.on(b)[sum_solid]);
     if (parameters_.mixture) co_await sum_surface(lane, dynamics_.particles, places_.get(), filter_.own, fields_.surface);
+    if (fluid_.by_finite_volumes()) co_await find_own_flux(lane);
 }
 
 tasks::Job CoupledStep::initialise(tasks::Lane& lane)

@@ -25,6 +25,7 @@ CoupledStep::CoupledStep(const core::Locator& locator, const core::Communicator&
       halos_(halos),
       plan_(mesh_, ranks, 1, 1, core::HaloShape::hats),
       fields_(mesh_),
+      transport_(mesh_),
       exchange_(parameters, add_wet_columns(grains.particles), add_exchange_columns(grains.particles, parameters)),
       filter_("filter", make_mesh_links(mesh_, ranks.rank()).topology, parameters.filter_width),
       face_mobility_({"mobility on faces", "m3 s/kg", 0, false}, mesh_.own_cells()),
@@ -47,6 +48,7 @@ CoupledStep::CoupledStep(const core::Locator& locator, const core::Communicator&
     halos_.prepare(&fluid_.state().pressure, core::beside);
     halos_.prepare(&fluid_.state().velocity, core::beside);
     halos_.prepare(&fluid_.fields().velocity_gradient, core::beside);
+    prepare_advection();
 }
 
 core::Vec3 CoupledStep::drive_of(const FluidClock& clock, const DriveState& state) const
@@ -89,7 +91,7 @@ void CoupledStep::declare(tasks::StageGraph& graph, Mode mode)
         {
             const auto lane = graph.lane("fluid");
             if (pass == 0) {
-                fluid_.declare_advection(graph);
+                declare_advection(graph);
                 declare_expected(graph);
                 if (!waits) declare_assumed(graph, mode);
             } else if (viscous()) {
@@ -107,6 +109,7 @@ void CoupledStep::declare(tasks::StageGraph& graph, Mode mode)
         if (kind == Pass::last) {
             declare_fraction(graph);
             declare_ledger(graph, mode);
+            declare_agreement(graph);
             declare_owed(graph);
             declare_surface(graph);
         }

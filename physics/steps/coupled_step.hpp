@@ -6,9 +6,11 @@
 #include "physics/coupling/cell_exchange.hpp"
 #include "physics/coupling/filter.hpp"
 #include "physics/coupling/grain_exchange.hpp"
+#include "physics/coupling/transport_fields.hpp"
 #include "physics/fluid/mobility.hpp"
 #include "physics/particles/stepper.hpp"
 #include "physics/steps/fluid_step.hpp"
+#include "physics/steps/flux_agreement.hpp"
 #include "physics/steps/lane_filter.hpp"
 #include <functional>
 #include <limits>
@@ -42,6 +44,10 @@ public:
     [[nodiscard]] tasks::Job find_fraction(tasks::Lane& lane);
 
     [[nodiscard]] ExchangeFields& fields() { return fields_; }
+    /// Of finite-volume advection.
+    [[nodiscard]] const TransportFields& transport() const { return transport_; }
+    /// The largest share of the fluid of a cell that leaves it in a time [1/s]. @pre Finite-volume advection.
+    [[nodiscard]] double outflow_rate(core::LocalBlock b) const;
     [[nodiscard]] const GrainExchange& exchange() const { return exchange_; }
     /// Extremes of the present state on this rank, for steps of `dt` [s]; the drag is that of the last step, before the first that
     /// of grains that settle.
@@ -66,6 +72,12 @@ private:
     void declare_grain_sums(tasks::StageGraph& graph);
     void declare_memory_of_contacts(tasks::StageGraph& graph);
     void declare_transport(tasks::StageGraph& graph);
+    void prepare_advection();
+    void find_own_flux(core::LocalBlock b, core::FaceView<const double> mixture, CellVectors solid, core::FaceView<double> flux) const;
+    tasks::Job find_own_flux(tasks::Lane& lane);
+    void declare_advection(tasks::StageGraph& graph);
+    void declare_middle(tasks::StageGraph& graph);
+    void declare_agreement(tasks::StageGraph& graph);
     void declare_memory(tasks::StageGraph& graph);
     void declare_expected(tasks::StageGraph& graph);
     void declare_expected_again(tasks::StageGraph& graph);
@@ -140,6 +152,8 @@ private:
     tasks::HaloFiller& halos_;
     core::HaloExchange plan_;
     ExchangeFields fields_;
+    TransportFields transport_;
+    std::unique_ptr<FluxAgreement> agreement_; ///< with finite-volume advection alone
     GrainExchange exchange_;
     Company company_;
     LaneFilter filter_;                        ///< of the grain lane

@@ -44,7 +44,7 @@ tasks::Job CoupledStep::tell_state(tasks::Lane& lane)
 {
     FluidState& state = fluid_.state();
     co_await halos_.fill(lane, &state.pressure, core::beside);
-    if (viscous() || spins()) co_await fluid_.find_velocity_gradients(lane);
+    if (viscous() || spins() || fluid_.by_finite_volumes()) co_await fluid_.find_velocity_gradients(lane);
     if (viscous()) co_await fluid_.find_viscous_acceleration(lane, fields_.viscous);
     for (LocalBlock b = 0; b < mesh_.own_count(); ++b) {
         const auto told = fields_.told.on(b);
@@ -103,7 +103,7 @@ void CoupledStep::declare_answer(tasks::StageGraph& graph, Mode mode, Pass pass)
                     news[news_projection + std::size_t(c)], [](double r, double g) { return -r * g; }, response, psi_gradient.component(c));
         },
         reads(state.velocity, beside(state.pressure), f.acceleration, f.response, fluid.psi_gradient), writes(f.news));
-    if (tells_stress(pass) || spins()) fluid_.declare_velocity_gradients(graph);
+    if (tells_stress(pass) || spins() || (fluid_.by_finite_volumes() && pass == Pass::last)) fluid_.declare_velocity_gradients(graph);
     if (tells_stress(pass)) {
         fluid_.declare_viscous_acceleration(graph, f.viscous);
         graph.each_block(

@@ -103,8 +103,7 @@ void FluidStep::declare_finite_volumes(tasks::StageGraph& graph)
         "advect velocity",
         [this](LocalBlock b, Vectors u, Vectors middle, const Gradients& g, FaceView<const double> flux, Vectors q, const FluidClock& clock,
                FaceView<double> scratch, VectorView<double> out) {
-            const MomentumTransport transport{geometry(b), old_walls_of(b), walls_of(b), face_centres_[std::size_t(b)]};
-            momentum_outflow(transport, flux, {u, middle, g}, scratch, out);
+            momentum_outflow(momentum_transport(b), flux, {u, middle, g}, scratch, out);
             for (int c = 0; c < 3; ++c)
                 map_cells(
                     out.component(c), [dt = clock.dt](double before, double outflow, double v) { return before - dt * outflow / v; },

@@ -3,7 +3,6 @@
 #include "physics/steps/fluid_flux.hpp"
 #include "physics/fluid/boundary_halo.hpp"
 #include "physics/fluid/cell_loops.hpp"
-#include "physics/fluid/face_flux.hpp"
 #include "physics/fluid/sub_face_flux.hpp"
 
 namespace physics {
@@ -27,19 +26,13 @@ void FluidFlux::declare_solid(tasks::StageGraph& graph)
 {
     graph.each_block(
         "flux density of grains beside " + carried_,
-        [](LocalBlock, GrainSumViews sums, VectorView<double> out) {
-            for (std::size_t c = 0; c < 3; ++c)
-                map_cells(
-                    out.component(int(c)), [](double q) { return q; }, sums[sum_flux + c]);
-        },
-        reads(coupling_->fields().sums), writes(solid_));
+        [](LocalBlock, GrainSumViews sums, VectorView<double> out) { flux_density_of_grains(sums, out); }, reads(coupling_->fields().sums),
+        writes(solid_));
 }
 
 void FluidFlux::find_flux_of_grains(LocalBlock b, Vectors density, FaceView<double> flux) const
 {
-    const BlockWalls& walls = fluid_.walls()[std::size_t(b)];
-    interpolated_flux(mesh_.geometry(b), walls, density, flux);
-    close_walls(walls, flux);
+    flux_of_grains(mesh_.geometry(b), fluid_.walls()[std::size_t(b)], density, flux);
 }
 
 void FluidFlux::declare_old_half(tasks::StageGraph& graph)

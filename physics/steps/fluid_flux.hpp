@@ -29,7 +29,6 @@ public:
 
 private:
     void declare_solid(tasks::StageGraph& graph);
-    /// Nothing of it passes the walls.
     void find_flux_of_grains(core::LocalBlock b, core::VectorView<const double> density, core::FaceView<double> flux) const;
 
     const core::Mesh& mesh_;

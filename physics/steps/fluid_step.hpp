@@ -51,6 +51,8 @@ public:
     void declare_predictor(tasks::StageGraph& graph);
     /// What flows bring: fields().advected.
     void declare_advection(tasks::StageGraph& graph);
+    /// What is carried: fields().source.
+    void declare_source(tasks::StageGraph& graph);
     /// What viscosity may change: what it did at the start of the step.
     void declare_viscous_guess(tasks::StageGraph& graph);
     /// Viscosity acts on the predicted velocity; what it changes begins as what it was.
@@ -89,6 +91,12 @@ public:
     [[nodiscard]] const FlowControl* flow_control() const { return flow_control_.get(); }
     /// Do the faces of all blocks of the domain lie at right angles to the lines between cells, whole on each other?
     [[nodiscard]] bool is_straight() const { return is_straight_; }
+    /// @pre by_finite_volumes()
+    [[nodiscard]] MomentumTransport momentum_transport(core::LocalBlock b) const
+    {
+        return {geometry(b), old_walls_of(b), walls_of(b), face_centres_[std::size_t(b)]};
+    }
+    [[nodiscard]] FlowBoundaries flow_boundaries(core::LocalBlock b) const { return {geometry(b), old_walls_of(b), walls_of(b)}; }
     /// What other systems of equations on the same mesh refer to.
     [[nodiscard]] SystemContext system_context() const;
 
@@ -97,7 +105,6 @@ private:
     using Gradients = core::TensorView<const double>;
     enum class Moment { start, end };
     void prepare_advection();
-    void declare_source(tasks::StageGraph& graph);
     void declare_departure(tasks::StageGraph& graph);
     void declare_finite_volumes(tasks::StageGraph& graph);
     void declare_sub_face_momentum(tasks::StageGraph& graph);

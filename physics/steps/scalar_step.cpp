@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "physics/steps/scalar_step.hpp"
 #include "core/base/error.hpp"
+#include "physics/fluid/boundary_halo.hpp"
 #include "physics/fluid/cell_loops.hpp"
-#include "physics/fluid/face_flux.hpp"
-#include "physics/fluid/gradient.hpp"
-#include "physics/fluid/projection.hpp"
+#include "physics/steps/flux_agreement.hpp"
 
 #include <algorithm>
 
@@ -16,29 +15,17 @@ using tasks::reads, tasks::updates;
 
 struct ScalarStep::Agreement {
     Agreement(const core::Mesh& mesh, const FluidStep& fluid, const core::Communicator& ranks)
-        : context(fluid.system_context()),
-          system(context, ranks, fluid.parameters().tolerances),
-          outflow({"net outflow of the fluid alone", "m3/s", 0, false}, mesh.own_cells()),
-          through({"throughput of the fluid alone", "m3/s", 0, false}, mesh.own_cells()),
-          psi({"potential of the fluid alone", "m2/s", 1, false}, mesh.own_cells()),
-          gradient({"gradient of the potential of the fluid alone", "m/s", 1, false}, mesh.own_cells()),
-          scratch({"correction of the flux of the fluid alone", "m3/s", 0, false}, mesh.own_cells()),
+        : flux(mesh, fluid, ranks),
+          halos(fluid.system_context().halos),
           share({"share of the carrier", "1", 1, false}, mesh.own_cells()),
           faces({"share of the carrier on faces", "1", 0, false}, mesh.own_cells())
     {
-        for (core::ScalarField* field : {&outflow, &through, &psi, &share}) field->allocate();
-        gradient.allocate();
-        scratch.allocate();
+        share.allocate();
         faces.allocate();
-        context.halos.prepare(&psi, core::beside);
-        context.halos.prepare(&share, core::beside);
-        context.halos.prepare(&gradient, core::beside);
+        halos.prepare(&share, core::beside);
     }
-    SystemContext context;
-    PressureSystem system;
-    core::ScalarField outflow, through, psi;
-    core::VectorField gradient;
-    core::FaceField scratch;
+    FluxAgreement flux;
+    tasks::HaloFiller& halos;
     core::ScalarField share;
     core::FaceField faces; ///< mean share of the cells of each face
 };
@@ -114,34 +101,17 @@ tasks::Job ScalarStep::carry(tasks::Lane& lane, core::FaceField& flux, double dt
 
 tasks::Job ScalarStep::agree_with_grains(tasks::Lane& lane, core::FaceField& flux, double dt, ScalarSet& fields)
 {
-    constexpr double volume_counts = 1e-3; // what is left of a disagreement may be that share of the tolerance of a cell's volume
     Agreement& a = *agreement_;
     const core::ScalarField& fraction = flux_.coupling()->fields().fraction;
+    co_await a.flux.solve(lane, {flux, fields.share, fraction, dt});
     lane.team().run(mesh_.own_count(), [&](int b) {
-        const auto volume = mesh_.geometry(b).volume.view();
-        net_outflow(flux.on(b), a.outflow.on(b));
-        throughput(flux.on(b), a.through.on(b));
-        map_cells(
-            a.outflow.on(b), [dt](double out, double v, double phi, double w) { return out + v * (phi - w) / dt; }, a.outflow.on(b), volume,
-            fraction.on(b), fields.share.on(b));
-        map_cells(
-            a.through.on(b), [per = volume_counts / dt](double through, double v) { return through + per * v; }, a.through.on(b), volume);
-    });
-    co_await a.system.solve(lane, {a.outflow, a.through, 1.0}, a.psi);
-    co_await a.context.halos.fill(lane, &a.psi, core::beside);
-    lane.team().run(mesh_.own_count(), [&](int b) {
-        const BlockWalls& walls = fluid_.walls()[std::size_t(b)];
-        mirror_pressure_change(walls, 1, a.psi.on(b));
-        gradient(mesh_.geometry(b), pressure_matrices(mesh_.geometry(b), walls), a.psi.on(b), a.gradient.on(b));
         map_cells(
             a.share.on(b), [](double phi) { return phi; }, fraction.on(b));
     });
-    co_await a.context.halos.fill(lane, &a.gradient, core::beside);
-    co_await a.context.halos.fill(lane, &a.share, core::beside);
+    co_await a.halos.fill(lane, &a.share, core::beside);
     lane.team().run(mesh_.own_count(), [&](int b) {
-        const BlockWalls& walls = fluid_.walls()[std::size_t(b)];
-        correct_flux(mesh_.geometry(b), walls, a.psi.on(b), a.gradient.on(b), a.scratch.on(b), flux.on(b));
-        mirror_even(walls, 1, a.share.on(b));
+        a.flux.add(b, flux.on(b));
+        mirror_even(fluid_.walls()[std::size_t(b)], 1, a.share.on(b));
         mean_on_faces(mesh_.geometry(b), a.share.on(b), a.faces.on(b));
     });
 }

@@ -105,10 +105,9 @@ TEST_CASE("particles need contact, names of their own, and room")
     CHECK(problem_of(with("count: 10,", "count: 20000,")) == "9:23 the particles would fill 47 % of their region");
 }
 
-TEST_CASE("finite volumes carry a fluid alone")
+TEST_CASE("finite volumes carry a fluid alone and between particles")
 {
-    CHECK(problem_of(with("  water:", "  advection: finite_volume\n  water:")) ==
-          "6:14 finite volumes do not carry the momentum of a fluid between particles yet");
+    CHECK(problem_of(with("  water:", "  advection: finite_volume\n  water:")).empty());
     CHECK(problem_of(with("  water:", "  advection: upwind\n  water:")) == "6:14 'upwind' is not one of the choices");
 }
 

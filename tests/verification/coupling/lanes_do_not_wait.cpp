@@ -10,7 +10,7 @@ using namespace test;
 
 namespace {
 
-std::vector<std::string> beside_moving_grains(io::CouplingMode mode)
+std::vector<std::string> beside_moving_grains(io::CouplingMode mode, io::AdvectionScheme advection = io::AdvectionScheme::lcsi)
 {
     CoupledBox box;
     box.blocks = {2, 1, 1};
@@ -19,6 +19,7 @@ std::vector<std::string> beside_moving_grains(io::CouplingMode mode)
     box.mode = mode;
     io::Scene scene = scene_of(box, 40);
     scene.coupling->lift = io::Switch::on;
+    scene.fluid->advection = advection;
     io::World world(scene, core::Communicator::self());
     return tasks::stages_beside(world.compile(), "move grains");
 }
@@ -50,5 +51,14 @@ TEST_CASE("in pipelined and iterated advection and viscosity run while the grain
         CHECK(contains(beside, "advected velocity"));
         CHECK(!contains(beside, "solve pressure with grains"));
         CHECK(!contains(beside, "filter answer for grains"));
+    }
+}
+
+TEST_CASE("finite volumes carry the fluid while the grains move, in every mode, and agree with them afterwards")
+{
+    for (const io::CouplingMode mode : every_mode) {
+        const auto beside = beside_moving_grains(mode, io::AdvectionScheme::finite_volume);
+        CHECK(contains(beside, "advect velocity between grains"));
+        CHECK(!contains(beside, "make the flux agree with the grains"));
     }
 }

@@ -1,11 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/grid/area_changes.hpp"
-#include "core/base/error.hpp"
-#include "core/grid/hexahedron.hpp"
 #include <algorithm>
-#include <map>
-#include <tuple>
 
 namespace core {
 namespace {
@@ -82,10 +78,6 @@ private:
     std::vector<AreaChange>& changes_;
 };
 
-using FaceKey = std::tuple<BlockId, int, int, int, int>;
-
-FaceKey key_of(BlockId block, int axis, Index3 face) { return {block, axis, face.i, face.j, face.k}; }
-
 } // namespace
 
 std::vector<AreaChange> area_changes(const MultiBlock& grid, const Topology& topology, const std::vector<BentSide>& sides)
@@ -94,45 +86,6 @@ std::vector<AreaChange> area_changes(const MultiBlock& grid, const Topology& top
     Bending bending(grid, topology, sides, changes);
     for (const BentSide& side : sides) bending.add(side);
     return changes;
-}
-
-void require_closed_cells(const MultiBlock& grid, const SubFaceJoints& joints)
-{
-    constexpr double round_off = 1e-11; // of the largest face, after sums over its sub-faces
-    std::map<FaceKey, Vec3> changes, sums;
-    for (const AreaChange& c : joints.area_changes)
-        changes.try_emplace(key_of(c.block, c.axis, c.face), Vec3::Zero()).first->second += c.area;
-    const auto add = [&](BlockId block, Side side, Index3 cell, const Vec3& outward) {
-        if (is_high(side)) ++cell[axis_of(side)];
-        sums.try_emplace(key_of(block, axis_of(side), cell), Vec3::Zero()).first->second += is_high(side) ? outward : Vec3(-outward);
-    };
-    for (const SubFaceInterface& f : joints.interfaces)
-        for (const JoinedSubFace& s : f.faces) {
-            add(f.contact.a, f.contact.side_a, s.a, s.area);
-            add(f.contact.b, f.contact.side_b, s.b, -s.area);
-        }
-    for (const auto& [key, unused] : sums) {
-        const auto [block, across, fi, fj, fk] = key;
-        const Vertices& v = grid.blocks[std::size_t(block)];
-        Index3 cell{fi, fj, fk};
-        if (cell[across] > 0) --cell[across];
-        Vec3 open = Vec3::Zero();
-        double largest = 0;
-        for (const Side side : all_sides) {
-            Index3 face = cell;
-            if (is_high(side)) ++face[axis_of(side)];
-            const FaceKey at = key_of(block, axis_of(side), face);
-            Vec3 area = face_shape(face_corners(v, axis_of(side), face)).area;
-            if (const auto joined = sums.find(at); joined != sums.end()) area = joined->second;
-            else if (const auto bent = changes.find(at); bent != changes.end()) area += bent->second;
-            open += is_high(side) ? area : Vec3(-area);
-            largest = std::max(largest, area.norm());
-        }
-        require<ConfigError>(open.norm() <= round_off * largest,
-                             text("cell (", cell.i, ", ", cell.j, ", ", cell.k, ") of block ", block,
-                                  " cannot be closed: its faces and sub-faces leave ", open.norm() / largest,
-                                  " of a face open; let points match where curved interfaces meet, or refine there"));
-    }
 }
 
 } // namespace core

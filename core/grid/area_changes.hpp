@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// What faces beside an interface of sub-faces gain by the bending of its edges, and whether all cells close.
+// What faces beside an interface of sub-faces gain by the bending of its edges.
 #include "core/grid/side_overlap.hpp"
 #include "core/grid/topology.hpp"
 
@@ -17,9 +17,5 @@ struct BentSide {
 /// Changes of the faces between the cells beside such sides, of the same faces seen from blocks beyond, and of the boundary
 /// faces next to them.
 [[nodiscard]] std::vector<AreaChange> area_changes(const MultiBlock& grid, const Topology& topology, const std::vector<BentSide>& sides);
-
-/// @param joints  Complete.
-/// @throws ConfigError naming the first cell beside an interface whose area vectors do not add up to zero.
-void require_closed_cells(const MultiBlock& grid, const SubFaceJoints& joints);
 
 } // namespace core

@@ -3,6 +3,7 @@
 #include "core/grid/sub_face_joining.hpp"
 #include "core/base/error.hpp"
 #include "core/grid/area_changes.hpp"
+#include "core/grid/cell_closing.hpp"
 #include "core/grid/hexahedron.hpp"
 #include "core/grid/side_stencil.hpp"
 #include <algorithm>
@@ -82,19 +83,15 @@ Vec3 stencil_centre(const MultiBlock& grid, const Topology& topology, const Side
 
 JoinedSubFace joined(const MultiBlock& grid, const Topology& topology, const Contact& c, const SubFace& f)
 {
-    constexpr double least_cosine = 0.05; // between S and d: keeps the two-point part positive on any grid
     const SideContact& s = c.sides;
     const double towards_b = (axis_of(s.side_a) == 1) == is_high(s.side_a) ? -1 : 1;
     JoinedSubFace face{};
     face.a = c.master.cell(f.master.p, f.master.q);
     face.b = c.other.cell(f.other.p, f.other.q);
-    face.area = towards_b * f.area;
     const auto centroid = [&](BlockId block, Index3 cell) { return cell_shape(grid.blocks[std::size_t(block)], cell).centroid; };
     face.from_a = f.centre - centroid(s.a, face.a);
     face.from_b = f.centre - (centroid(s.b, face.b) - s.shift);
-    const Vec3 d = face.from_a - face.from_b;
-    face.transmissibility = face.area.squaredNorm() / std::max(face.area.dot(d), least_cosine * face.area.norm() * d.norm());
-    face.cross = face.area - face.transmissibility * d;
+    set_area(towards_b * f.area, face);
     face.on_a = place_on(c.master, s.a, s.side_a, f.centre, Vec3::Zero());
     face.on_b = place_on(c.other, s.b, s.side_b, f.centre, s.shift);
     const double to_a = std::abs(face.area.dot(f.centre - stencil_centre(grid, topology, face.on_a)));
@@ -186,6 +183,7 @@ SubFaceJoints join_at_sub_faces(const MultiBlock& grid, const Topology& topology
     Topology joined_topology = topology;
     joined_topology.joints.places = joints.places;
     joints.area_changes = area_changes(grid, joined_topology, bent_sides);
+    close_cells(grid, joints);
     require_closed_cells(grid, joints);
     return joints;
 }

@@ -5,6 +5,7 @@
 #include "core/grid/box.hpp"
 #include "core/grid/touching_sides.hpp"
 #include <Eigen/Geometry>
+#include <cmath>
 #include <functional>
 #include <numbers>
 
@@ -43,6 +44,17 @@ struct Halves {
     std::vector<core::Vec3> periods;
     for (int axis = 0; axis < 3; ++axis) periods.emplace_back(2 * pi * turn.col(axis));
     return joined({first, second}, periods, map);
+}
+
+/// Two boxes on one, each with points of its own, so that three sides meet along a line.
+/// @param curvature  Of the sides [m].
+[[nodiscard]] inline core::MultiBlock two_on_one(double curvature)
+{
+    const core::Box below{{0, 0, 0}, {2, 1, 1}, {7, 3, 4}, {1, 1, 1}, {}}, left{{0, 1, 0}, {0.8, 2, 1}, {4, 5, 3}, {1, 1, 1}, {}},
+        right{{0.8, 1, 0}, {2, 2, 1}, {5, 5, 5}, {1, 1, 1}, {}};
+    return joined({below, left, right}, {}, [=](const core::Vec3& x) {
+        return core::Vec3(x + core::Vec3(0.1 * x.y() * x.z(), 0.3 * x.x() + curvature * std::sin(3 * x.x()) * (1 + x.z()), 0));
+    });
 }
 
 } // namespace test

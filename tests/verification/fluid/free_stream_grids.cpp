@@ -88,6 +88,12 @@ TEST_CASE(
         CHECK(change(test::wavy_halves({{5, 8, 8}, {6, 12, 20}}, 0.3, 37), advection) < 1e-12);
 }
 
+TEST_CASE("a uniform flow stays uniform where three curved sides with points of their own meet along a line, whatever carries it")
+{
+    for (const auto advection : {physics::AdvectionScheme::lcsi, physics::AdvectionScheme::finite_volume})
+        for (const double curvature : {0.05, -0.05}) CHECK(change(test::two_on_one(curvature), advection) < 1e-12);
+}
+
 TEST_CASE("a uniform flow stays uniform on elliptic grids with thin cells at the walls")
 {
     core::MultiBlock grid = core::make_bent_pipe(waving_pipe());

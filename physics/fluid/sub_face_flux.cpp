@@ -56,11 +56,14 @@ void sub_face_interpolated_flux(const core::BlockGeometry& geometry, core::Vecto
     });
 }
 
-void sub_face_scaled_flux(const core::BlockGeometry& geometry, core::VectorView<const double> u, core::FaceView<const double> factors,
-                          double offset, core::FaceView<double> flux)
+void sub_face_transposed_flux(const core::BlockGeometry& geometry, const std::array<core::VectorView<const double>, 3>& gradients, int c,
+                              core::FaceView<const double> factors, core::FaceView<double> flux)
 {
-    set_sub_faces(geometry, flux,
-                  [&](const core::SubFaceMetrics& s, int n) { return (factors.sub_faces(n, 0, 0) - offset) * s.area.dot(mean_at(s, u)); });
+    const auto& [x, y, z] = gradients;
+    set_sub_faces(geometry, flux, [&](const core::SubFaceMetrics& s, int n) {
+        const core::Vec3 change = mean_at(s, {x.component(c), y.component(c), z.component(c)});
+        return (factors.sub_faces(n, 0, 0) - 1) * (s.area.dot(change) - s.area[c] * mean_at(s, {x.x, y.y, z.z}).sum());
+    });
 }
 
 void sub_face_uniform_flux(const core::BlockGeometry& geometry, const core::Vec3& vector, core::FaceView<const double> factors,

@@ -44,9 +44,10 @@ void sub_face_gradient_flux(const core::BlockGeometry& geometry, core::View<cons
 /// Flux of a vector, interpolated to the centre of each sub-face.
 void sub_face_interpolated_flux(const core::BlockGeometry& geometry, core::VectorView<const double> u, core::FaceView<double> flux);
 
-/// Flux of the mean of a vector of the cells on both sides, times a factor of each sub-face: (f - offset) S . (u_a + u_b) / 2.
-void sub_face_scaled_flux(const core::BlockGeometry& geometry, core::VectorView<const double> u, core::FaceView<const double> factors,
-                          double offset, core::FaceView<double> flux);
+/// (f - 1) (S . d u / d x_c - S_c div u), f a factor of each sub-face, the gradients the means of those of the cells on both sides.
+/// @param gradients  Of the components of u.
+void sub_face_transposed_flux(const core::BlockGeometry& geometry, const std::array<core::VectorView<const double>, 3>& gradients, int c,
+                              core::FaceView<const double> factors, core::FaceView<double> flux);
 
 /// Flux of a uniform vector times a factor of each sub-face.
 void sub_face_uniform_flux(const core::BlockGeometry& geometry, const core::Vec3& vector, core::FaceView<const double> factors,

@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// The part of turbulent friction that the Laplacian leaves out: div((nu' - nu) (grad u)^T), with nu' that varies in space. For a
-// viscosity that does not vary it vanishes, as the flow keeps its volume.
+// The part of turbulent friction that the Laplacian leaves out: div((nu' - nu) ((grad u)^T - div u)), with nu' that varies in space. For a
+// viscosity that does not vary it vanishes. div u, zero where the flow keeps its volume and beside grains a part of the pressure, is taken
+// off because this part of the stress is explicit: without it the velocity across thin layers would feel its own second difference across
+// them, as much of it as the Laplacian has and in steps of any length; what is left has a derivative along the layer in each term.
 #include "physics/fluid/boundary.hpp"
 
 namespace physics {

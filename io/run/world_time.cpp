@@ -7,6 +7,7 @@
 #include "io/run/world.hpp"
 #include "io/run/world_grains.hpp"
 #include "physics/coupling/time_step.hpp"
+#include "physics/fluid/wall_shear.hpp"
 #include <cmath>
 
 namespace io {
@@ -57,6 +58,17 @@ physics::TimeStepLimit World::limit_of_step() const
     options.outflow = std::min(scene_.run.limits.cfl, coupling_ ? beside_grains : options.outflow);
     physics::TimeStepLimit limit =
         fluid_->by_finite_volumes() ? physics::outflow_step_limit(rates, options) : physics::time_step_limit(rates, options);
+    if (turbulence_ && scene_.fluid->turbulence->model == TurbulenceModel::abe_kondoh_nagano) {
+        // Losses are implicit: beside a wall k grows by no more than what it would gain in its lifetime, some ten viscous times, in a
+        // step of any length. In longer steps it comes back too late after a change, while the flow runs away without friction.
+        constexpr double viscous_times = 100;
+        std::array shear{0.0};
+        for (core::LocalBlock b = 0; b < mesh_.own_count(); ++b)
+            shear[0] = std::max(shear[0], physics::largest_wall_shear(mesh_.geometry(b), fluid_->walls()[std::size_t(b)],
+                                                                      std::as_const(fluid_->state()).velocity.on(b)));
+        ranks_.max(shear);
+        if (shear[0] > 0) limit.tighten(viscous_times / shear[0], "turbulence at walls");
+    }
     if (coupling_) {
         std::array fastest{physics::largest_speed(grains_->particles)};
         ranks_.max(fastest);

@@ -3,6 +3,7 @@
 #include "io/run/momentum_ledger.hpp"
 #include "io/build/physics_builder.hpp"
 #include "io/files/exact_sums.hpp"
+#include "io/run/open_momentum.hpp"
 #include "physics/fluid/cell_loops.hpp"
 #include "physics/fluid/momentum_budget.hpp"
 #include <algorithm>
@@ -171,9 +172,7 @@ void MomentumLedger::sum_walls(core::LocalBlock b, std::span<double> sum) const
     const auto& geometry = world_.mesh().geometry(b);
     const auto& walls = fluid.walls()[std::size_t(b)];
     const double dt = world_.clock().dt, viscosity = fluid.parameters().density * fluid.parameters().viscosity;
-    const auto flux = std::as_const(fluid.state()).flux.on(b);
-    add_vector(sum, of_through,
-               dt * fluid.parameters().density * physics::through_flow(geometry, walls, flux, fluid.state().velocity_before.on(b)));
+    add_vector(sum, of_through, dt * fluid.parameters().density * momentum_through(world_, b));
     add_vector(sum, of_push, dt * physics::wall_push(geometry, walls, fluid.state().pressure.on(b), 1));
     if (!fluid.viscosity_system()) return;
     const physics::FaceFactors factors = fluid.fields().viscosity_ratio.on(b);

@@ -20,9 +20,9 @@ io::Scene by_finite_volumes(io::Scene scene)
 }
 
 /// Largest of each over the steps: what no line of the books explains, what advection made, what it would have made without the ledger's
-/// part, and what grains and fluid disagree by.
+/// part, what grains and fluid disagree by, and what flows through boundaries [N s].
 struct Closing {
-    double unexplained = 0, made = 0, owed = 0, exchange = 0;
+    double unexplained = 0, made = 0, owed = 0, exchange = 0, through = 0;
 };
 
 Closing close_books(const io::Scene& scene, int steps)
@@ -42,6 +42,7 @@ Closing close_books(const io::Scene& scene, int steps)
             owed += physics::volume_sum(world.mesh().geometry(b), world.coupling()->transport().owed.on(b));
         closing.unexplained = std::max(closing.unexplained, books.defect());
         closing.exchange = std::max(closing.exchange, books.exchange_defect());
+        closing.through = std::max(closing.through, books.impulses().through.norm());
         closing.made = std::max(closing.made, books.impulses().advection.norm() / largest);
         closing.owed = std::max(closing.owed, owed.norm() / largest);
     }
@@ -67,6 +68,29 @@ TEST_CASE("finite volumes make no momentum beside grains, whichever mode couples
         check(close_books(test::small_pipe("pressure_gradient: 20 kPa/m, reverse_at: { axis_speed: 0.5 m/s }",
                                            std::string("added_mass: on, lift: on, torque: on, mode: ") + mode),
                           40));
+    }
+}
+
+TEST_CASE("what flows in below a bed and out above it is the only momentum that finite volumes bring")
+{
+    for (const char* mode : {"pipelined", "coarse"}) {
+        std::printf("open, %s: ", mode);
+        const Closing closing = close_books(test::scene_from_text(std::string(R"(name: bed in a flow
+grid: { box: { size: [12 mm, 24 mm, 12 mm], cells: [6, 12, 6], blocks: [1, 2, 1] }, periodic: [x, z] }
+fluid:
+  water: { density: 1000 kg/m3, viscosity: 1e-6 m2/s }
+  boundaries:
+    - { at: y_low, kind: inflow, velocity: [0 m/s, 80 mm/s, 0 m/s] }
+    - { at: y_high, kind: outflow }
+gravity: { direction: -y }
+particles: [ { name: glass, count: 120, diameter: 2 mm, density: 2500 kg/m3, initial: { high: [12 mm, 12 mm, 12 mm] } } ]
+contact: { stiffness: 2 kN/m, restitution: 0.6, friction: 0.4 }
+coupling: { added_mass: on, mode: )") + mode + R"( }
+run: { settle: 50 ms, until: 1 s, time_step: 1 ms }
+)"),
+                                            40);
+        check(closing);
+        CHECK(closing.through > 1e-9); // N s
     }
 }
 

@@ -25,7 +25,8 @@ struct LimitedMomentum {
 
 /// The value on a face is that of the upwind cell and c ((middle - u) + g . r + bend / 6), as in bounded_transport.hpp. c is 1 where
 /// what of it is transport, d, lies in the balls that have the differences D to the cell beyond and to that behind as diameters,
-/// d . d <= d . D, else less; the latter ball is smaller where more than half of the fluid of a cell leaves it. Where all else that accelerates does much more than transport, c is 1.
+/// d . d <= d . D, else less; the latter ball is smaller where more than half of the fluid of a cell leaves it. Where all else that
+/// accelerates does much more than transport, c is 1.
 void limited_momentum_flux(const LimitedMomentum& momentum, const MomentumFlux& out);
 
 /// Cells and what is in them.

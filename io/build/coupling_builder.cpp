@@ -56,7 +56,8 @@ physics::CouplingParameters coupling_parameters(const Scene& scene, const GrainC
     if (seed) p.force = physics::FluidForce::material_derivative;
     p.magnus = magnus_law(coupling.chosen_magnus());
     p.drag = drag_law(coupling.chosen_drag());
-    p.mixture = wanted(coupling.size_mixture, fits_resolved_flow(p.drag) && census.smallest < census.largest);
+    const bool one_way = is_one_way(scene); // nobody is around a particle that the fluid does not feel
+    p.mixture = !one_way && wanted(coupling.size_mixture, fits_resolved_flow(p.drag) && census.smallest < census.largest);
     const bool light = seed || lightest_ratio < heavy;
     p.added_mass = coupling.added_mass == AddedMass::off || (coupling.added_mass == AddedMass::automatic && !light)
                        ? 0.0
@@ -65,11 +66,13 @@ physics::CouplingParameters coupling_parameters(const Scene& scene, const GrainC
     p.lift = wanted(coupling.lift, light);
     p.shear_lift = wanted(coupling.shear_lift, false);
     p.history = wanted(coupling.history, false);
-    p.own_disturbance = wanted(coupling.own_disturbance, stands_alone(scene, census));
+    p.own_disturbance = !one_way && wanted(coupling.own_disturbance, stands_alone(scene, census));
     p.torque = wanted(coupling.torque, true);
     p.filter_width = coupling.filter.in_diameters ? coupling.filter.value * census.mean_diameter() : coupling.filter.value;
     return p;
 }
+
+bool is_one_way(const Scene& scene) { return scene.coupling && scene.coupling->feedback == Feedback::one_way; }
 
 std::optional<physics::Mode> asked_mode(const Scene& scene)
 {

@@ -11,6 +11,9 @@ namespace io {
 /// @pre scene.fluid and particles
 [[nodiscard]] physics::CouplingParameters coupling_parameters(const Scene& scene, const GrainCensus& census);
 
+/// Does the fluid of a scene not feel its particles?
+[[nodiscard]] bool is_one_way(const Scene& scene);
+
 /// The mode of coupling that the scene insists on; none for `auto`. @throws core::ConfigError for one that no step has.
 [[nodiscard]] std::optional<physics::Mode> asked_mode(const Scene& scene);
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 // Checks of a scene that need several keys.
-#include "io/build/grain_census.hpp"
+#include "io/build/coupling_builder.hpp"
 #include "io/scene/scene_reader.hpp"
 
 #include <algorithm>
@@ -32,6 +32,7 @@ public:
         check_walls(scene_, locations_, problems_);
         check_contact(scene_, locations_, problems_);
         if (scene_.coupling) check_filter(*scene_.coupling);
+        if (is_one_way(scene_)) check_one_way(*scene_.coupling);
         if (scene_.run.time_step && all_good({"run.time_step", "run.until"}) && *scene_.run.time_step > scene_.run.until)
             complain("run.time_step", "the time step is longer than the run", "make it shorter than run.until");
     }
@@ -111,6 +112,19 @@ private:
                          "remove it, or add gravity");
         if (particles && scene_.measures(profile) && scene_.output.results.clock == Interval::Clock::never)
             complain("output.grains", "'profile' needs 'output.results', which says when it is written", "add results: every 0.1 s");
+    }
+
+    /// What says something of grains that the fluid feels.
+    void check_one_way(const Coupling& coupling)
+    {
+        const auto refuse = [&](const char* key, const char* reason) {
+            complain(fmt::format("coupling.{}", key), fmt::format("'feedback: one_way' excludes '{}': {}", key, reason),
+                     "remove one of the two");
+        };
+        if (coupling.mode != CouplingMode::automatic) refuse("mode", "the fluid waits for nobody");
+        if (coupling.own_disturbance == Switch::on) refuse("own_disturbance", "no particle disturbs the fluid");
+        if (coupling.size_mixture == Switch::on) refuse("size_mixture", "drag is that of a particle alone");
+        if (coupling.added_mass == AddedMass::zuber) refuse("added_mass", "added mass is that of a particle alone; 'on' is that");
     }
 
     void check_filter(const Coupling& coupling)

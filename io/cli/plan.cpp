@@ -43,6 +43,10 @@ int plan(const std::string& scene_path, const std::vector<std::string>& override
     if (world.coupling())
         fmt::print("coupling {}\nwhile the grains move, the fluid lane may: {}\n{}", world.mode_reason(), work_beside_grains(*world.plan()),
                    force_report(scene));
+    if (world.one_way())
+        fmt::print("coupling one way: the fluid does not feel the particles, nothing is deposited\n"
+                   "while the grains move, the fluid lane may: {}\n{}",
+                   work_beside_grains(*world.plan()), force_report(scene));
     fmt::print("\n{}\n", grid_report(world.mesh()));
     std::cout << report;
     return exit_success;

@@ -33,6 +33,7 @@ void for_each_carried_field(World& world, Visit visit)
         visit(coupling->fields().acceleration);
         visit(coupling->fields().ledger);
     }
+    if (auto* one_way = world.one_way()) visit(one_way->acceleration());
 }
 
 } // namespace io

@@ -247,6 +247,27 @@ MetricGroup solid_metrics(World& world)
             }};
 }
 
+MetricGroup one_way_metrics(const OneWayBooks& books)
+{
+    using L = OneWayBooks::Lines;
+    static constexpr std::array<std::pair<const char*, core::Vec3 L::*>, 7> lines{{{"particle_momentum", &L::momentum},
+                                                                                   {"owed_momentum", &L::owed},
+                                                                                   {"impulse_drive", &L::drive},
+                                                                                   {"impulse_weight", &L::weight},
+                                                                                   {"impulse_wall_contact", &L::contact},
+                                                                                   {"impulse_exchange", &L::exchange},
+                                                                                   {"angular_impulse_couple", &L::couple}}};
+    std::vector<std::string> names;
+    for (const auto& [name, line] : lines)
+        for (const char* axis : {"_x", "_y", "_z"}) names.push_back(std::string(name) + axis);
+    return {names, [&books] {
+                std::vector<double> values;
+                for (const auto& [name, line] : lines)
+                    for (int a = 0; a < 3; ++a) values.push_back((books.lines().*line)[a]);
+                return values;
+            }};
+}
+
 MetricGroup momentum_metrics(const MomentumLedger& ledger)
 {
     std::vector<std::string> names;

@@ -43,5 +43,7 @@ namespace io {
 
 /// Momentum, and the impulses of the last step, line by line [N s].
 [[nodiscard]] MetricGroup momentum_metrics(const MomentumLedger& ledger);
+/// The same of particles that the fluid does not feel, theirs alone.
+[[nodiscard]] MetricGroup one_way_metrics(const OneWayBooks& books);
 
 } // namespace io

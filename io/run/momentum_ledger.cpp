@@ -2,19 +2,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/run/momentum_ledger.hpp"
 #include "io/build/physics_builder.hpp"
-#include "io/files/exact_sums.hpp"
+#include "io/run/grain_momentum.hpp"
 #include "io/run/open_momentum.hpp"
 #include "physics/fluid/cell_loops.hpp"
 #include "physics/fluid/momentum_budget.hpp"
 #include <algorithm>
-#include <numbers>
 #include <numeric>
 #include <utility>
 
 namespace io {
 namespace {
 
-/// Places of the sums over cells, and over grains: each but the last is the first of three.
+/// Places of the sums over cells: each but the last is the first of three.
 enum CellSum : std::size_t {
     of_fluid,
     of_ledger = 3,
@@ -28,29 +27,12 @@ enum CellSum : std::size_t {
     of_volume = 27,
     cell_sums = 28
 };
-enum GrainSum : std::size_t {
-    of_grains,
-    of_owed = 3,
-    of_contact = 6,
-    of_taken = 9,
-    of_couple = 12,
-    of_mass = 15,
-    of_solid = 16,
-    grain_sums = 17
-};
-
 /// Three neighbouring numbers.
 core::Vec3 vector_at(std::span<const double> values, std::size_t first) { return {values[first], values[first + 1], values[first + 2]}; }
 
 void add_vector(std::span<double> sum, std::size_t first, const core::Vec3& x)
 {
     for (std::size_t a = 0; a < 3; ++a) sum[first + a] += x[int(a)];
-}
-
-core::Vec3 columns_at(const core::ParticleSet& grains, int first, std::size_t i)
-{
-    const auto value = [&](int a) { return grains.columns[std::size_t(first + a)][i]; };
-    return {value(0), value(1), value(2)};
 }
 
 } // namespace
@@ -84,11 +66,6 @@ struct MomentumLedger::CellSums {
     [[nodiscard]] core::Vec3 operator[](CellSum first) const { return vector_at(values, first); }
 };
 
-struct MomentumLedger::GrainSums {
-    std::vector<double> values;
-    [[nodiscard]] core::Vec3 operator[](GrainSum first) const { return vector_at(values, first); }
-};
-
 MomentumLedger::MomentumLedger(World& world) : world_(world), totals_(present())
 {
     remember_clock();
@@ -98,8 +75,8 @@ MomentumLedger::MomentumLedger(World& world) : world_(world), totals_(present())
 MomentumTotals MomentumLedger::present() const
 {
     const CellSums cells = sum_cells(false);
-    const GrainSums grains = sum_grains(core::Vec3::Zero());
-    return {cells[of_fluid], cells[of_ledger], grains[of_grains], grains[of_owed]};
+    const GrainMomentum grains = grain_momentum(world_, core::Vec3::Zero());
+    return {cells[of_fluid], cells[of_ledger], grains.momentum, grains.owed};
 }
 
 void MomentumLedger::after_traffic()
@@ -211,35 +188,6 @@ MomentumLedger::CellSums MomentumLedger::sum_cells(bool with_step) const
     return total;
 }
 
-MomentumLedger::GrainSums MomentumLedger::sum_grains(const core::Vec3& drive) const
-{
-    const core::ParticleSet& grains = world_.grains()->particles;
-    const physics::GrainExchange& exchange = world_.coupling()->exchange();
-    const auto& at = exchange.columns();
-    const double rho = world_.fluid()->parameters().density, dt = world_.clock().dt;
-    const core::Vec3 gravity = gravity_of(world_.scene());
-    std::vector<std::vector<double>> columns(grain_sums);
-    const auto put = [&](GrainSum first, const core::Vec3& x) {
-        for (std::size_t a = 0; a < 3; ++a) columns[first + a].push_back(x[int(a)]);
-    };
-    for (std::size_t i = 0; i < std::size_t(grains.owned); ++i) {
-        const double mass = grains.mass[i], radius = grains.radius[i];
-        const double volume = 4.0 / 3.0 * std::numbers::pi * radius * radius * radius;
-        const core::Vec3 velocity = grains.velocity_of(int(i)), contact = columns_at(grains, exchange.wet_columns().impulse, i);
-        // All that is not contact, weight or drive is the fluid's.
-        const core::Vec3 outer = contact + dt * ((mass - rho * volume) * gravity + rho * volume * drive);
-        const core::Vec3 owed = columns_at(grains, at.owed, i);
-        put(of_grains, mass * velocity);
-        put(of_owed, owed);
-        put(of_contact, contact);
-        put(of_taken, mass * (velocity - columns_at(grains, at.velocity_before, i)) - outer + owed);
-        put(of_couple, exchange.couple(grains, int(i)));
-        columns[of_mass].push_back(mass - rho * volume);
-        columns[of_solid].push_back(volume);
-    }
-    return {exact_sums(world_.ranks(), columns)};
-}
-
 void MomentumLedger::update()
 {
     const auto& parameters = world_.fluid()->parameters();
@@ -249,14 +197,14 @@ void MomentumLedger::update()
     const core::Vec3 drive = physics::mean_acceleration(parameters.drive, state, time_, dt);
     const core::Vec3 told = physics::expected_acceleration(parameters.drive, state, time_, dt);
     const CellSums cells = sum_cells(true);
-    const GrainSums grains = sum_grains(told);
+    const GrainMomentum grains = grain_momentum(world_, told);
     const MomentumTotals before = totals_;
-    totals_ = {cells[of_fluid], cells[of_ledger], grains[of_grains], grains[of_owed]};
+    totals_ = {cells[of_fluid], cells[of_ledger], grains.momentum, grains.owed};
     change_ = totals_.sum() - before.sum() + brought_;
     impulses_.traffic = std::exchange(brought_, core::Vec3::Zero());
-    impulses_.drive = parameters.density * dt * (cells.values[of_volume] + grains.values[of_solid]) * drive;
-    impulses_.weight = dt * grains.values[of_mass] * gravity_of(world_.scene());
-    impulses_.contact = grains[of_contact];
+    impulses_.drive = parameters.density * dt * (cells.values[of_volume] + grains.volume) * drive;
+    impulses_.weight = dt * grains.buoyant_mass * gravity_of(world_.scene());
+    impulses_.contact = grains.contact;
     impulses_.wall_pressure = cells[of_push];
     impulses_.wall_friction = cells[of_friction];
     impulses_.through = cells[of_through];
@@ -265,8 +213,8 @@ void MomentumLedger::update()
     impulses_.gradient = cells[of_gradients] - cells[of_push] - parameters.density * dt * world_.mesh().total_volume() * (drive - told);
     impulses_.viscous_share = cells[of_share];
     impulses_.given = cells[of_given];
-    impulses_.taken = grains[of_taken] - before.owed;
-    impulses_.couple = grains[of_couple];
+    impulses_.taken = grains.taken - before.owed;
+    impulses_.couple = grains.couple;
     remember_clock();
 }
 

@@ -67,11 +67,9 @@ public:
 
 private:
     struct CellSums;
-    struct GrainSums;
     [[nodiscard]] CellSums sum_cells(bool with_step) const;
     void sum_step(core::LocalBlock b, std::span<double> sum) const;
     void sum_walls(core::LocalBlock b, std::span<double> sum) const;
-    [[nodiscard]] GrainSums sum_grains(const core::Vec3& drive) const;
     [[nodiscard]] MomentumTotals present() const;
     void after_traffic();
     void remember_clock();

@@ -116,6 +116,7 @@ void Simulation::report_plan()
                           world_.mesh().blocks(), ranks_.size(), options_.threads, executor_->name()));
     if (world_.coupling())
         log_.info(fmt::format("coupling {}; filter of degree {}", world_.mode_reason(), world_.coupling()->filter_degree()));
+    if (world_.one_way()) log_.info(fmt::format("coupling one way; filter of degree {}", world_.one_way()->filter_degree()));
 }
 
 void Simulation::step()

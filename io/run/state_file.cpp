@@ -46,8 +46,8 @@ std::vector<NamedColumns> columns_of(World& world)
                                   {"radius", {&p.radius}},
                                   {"mass", {&p.mass}},
                                   {"inertia", {&p.inertia}}};
-    if (const auto* coupling = world.coupling()) {
-        const auto& at = coupling->exchange().columns();
+    if (const auto* exchange = world.exchange()) {
+        const auto& at = exchange->columns();
         const auto columns = [&p](int first, int count) {
             std::vector<core::Column*> found;
             for (int n = 0; n < count; ++n) found.push_back(&p.columns[std::size_t(first + n)]);

@@ -97,7 +97,12 @@ int World::owner_of(const core::Vec3& position) const { return locator_.owner(po
 
 void World::make_coupling()
 {
-    coupling_.emplace(locator_, ranks_, halos_, *fluid_, *grains_, *stepper_, coupling_parameters(scene_, census_));
+    const physics::CouplingParameters parameters = coupling_parameters(scene_, census_);
+    if (is_one_way(scene_)) {
+        one_way_.emplace(locator_, ranks_, halos_, *fluid_, *grains_, *stepper_, parameters);
+        return;
+    }
+    coupling_.emplace(locator_, ranks_, halos_, *fluid_, *grains_, *stepper_, parameters);
     asked_mode_ = asked_mode(scene_);
 }
 
@@ -106,15 +111,21 @@ void World::make_company()
 {
     if (scene_.fluid->is_turbulent()) turbulence_.emplace(mesh_, *fluid_, turbulence_parameters(scene_), coupling());
     if (!scene_.fluid->scalars.empty()) scalars_.emplace(mesh_, *fluid_, scalar_parameters(scene_), coupling(), ranks_);
+    if (turbulence_ && one_way_) turbulence_->act_on_grains();
     if (!coupling_) return;
-    const auto before = [this](tasks::StageGraph& graph) {
-        if (turbulence_) turbulence_->declare_before(graph);
-        if (scalars_) scalars_->declare_before(graph);
-    };
-    const auto after = [this](tasks::StageGraph& graph) {
-        if (turbulence_) turbulence_->declare(graph);
-    };
-    coupling_->keep_company({before, after});
+    coupling_->keep_company({[this](tasks::StageGraph& graph) { declare_company_before(graph); },
+                             [this](tasks::StageGraph& graph) { declare_turbulence(graph); }});
+}
+
+void World::declare_company_before(tasks::StageGraph& graph)
+{
+    if (turbulence_) turbulence_->declare_before(graph);
+    if (scalars_) scalars_->declare_before(graph);
+}
+
+void World::declare_turbulence(tasks::StageGraph& graph)
+{
+    if (turbulence_) turbulence_->declare(graph);
 }
 
 double World::settling_left() const { return grains_ ? std::max(0.0, std::ceil(scene_.run.settle / contact_step_) - settled_) : 0.0; }
@@ -146,11 +157,14 @@ void World::declare()
     if (coupling_) {
         coupling_->declare(graph_, planned_mode_);
         if (scalars_) scalars_->declare(graph_);
+    } else if (one_way_) {
+        one_way_->declare(graph_, {[this](tasks::StageGraph& graph) { declare_company_before(graph); },
+                                   [this](tasks::StageGraph& graph) { declare_turbulence(graph); }});
+        if (scalars_) scalars_->declare(graph_);
     } else if (fluid_) {
-        if (turbulence_) turbulence_->declare_before(graph_);
-        if (scalars_) scalars_->declare_before(graph_);
+        declare_company_before(graph_);
         fluid_->declare(graph_);
-        if (turbulence_) turbulence_->declare(graph_);
+        declare_turbulence(graph_);
         if (scalars_) scalars_->declare(graph_);
     } else if (grains_) {
         dry_grains_.emplace("grains", *grains_);
@@ -202,11 +216,12 @@ void World::put_back()
 
 void World::initialise()
 {
-    if (!coupling_) return;
+    if (!coupling_ && !one_way_) return;
     fluid_->begin_step();
     if (turbulence_) tasks::run(ranks_, core::SerialTeam(), [&](tasks::Lane& lane) { return turbulence_->find_viscosity(lane); });
-    tasks::run(ranks_, core::SerialTeam(), [&](tasks::Lane& lane) { return coupling_->initialise(lane); });
-    if (scalars_ && clock().step == 0) scalars_->begin(coupling_->fields().fraction);
+    tasks::run(ranks_, core::SerialTeam(),
+               [&](tasks::Lane& lane) { return coupling_ ? coupling_->initialise(lane) : one_way_->initialise(lane); });
+    if (coupling_ && scalars_ && clock().step == 0) scalars_->begin(coupling_->fields().fraction);
 }
 
 void World::try_step(tasks::Executor& executor)
@@ -215,6 +230,7 @@ void World::try_step(tasks::Executor& executor)
     now.dt = next_step();
     if (fluid_) fluid_->begin_step();
     if (coupling_) coupling_->sub_steps = sub_steps_;
+    if (one_way_) one_way_->sub_steps = sub_steps_;
     const physics::Mode mode = coupling_ ? choose_mode() : planned_mode_;
     (mode == planned_mode_ ? executor : executor_of(mode)).run_step(now.step);
     now.advance();

@@ -9,6 +9,7 @@
 #include "io/run/state_copy.hpp"
 #include "physics/fluid/time_step.hpp"
 #include "physics/steps/coupled_step.hpp"
+#include "physics/steps/one_way_step.hpp"
 #include "physics/steps/scalar_step.hpp"
 #include "physics/steps/turbulence_step.hpp"
 #include "tasks/exchange_filler.hpp"
@@ -39,8 +40,17 @@ public:
     [[nodiscard]] const physics::ScalarStep* scalars() const { return scalars_ ? &*scalars_ : nullptr; }
     [[nodiscard]] physics::ParticleDynamics* grains() { return grains_ ? &*grains_ : nullptr; }
     [[nodiscard]] const physics::ParticleDynamics* grains() const { return grains_ ? &*grains_ : nullptr; }
+    /// Where fluid and grains feel each other.
     [[nodiscard]] physics::CoupledStep* coupling() { return coupling_ ? &*coupling_ : nullptr; }
     [[nodiscard]] const physics::CoupledStep* coupling() const { return coupling_ ? &*coupling_ : nullptr; }
+    /// Where grains feel a fluid that does not feel them.
+    [[nodiscard]] physics::OneWayStep* one_way() { return one_way_ ? &*one_way_ : nullptr; }
+    [[nodiscard]] const physics::OneWayStep* one_way() const { return one_way_ ? &*one_way_ : nullptr; }
+    /// What grains keep of the fluid either way; none without both.
+    [[nodiscard]] const physics::GrainExchange* exchange() const
+    {
+        return coupling_ ? &coupling_->exchange() : one_way_ ? &one_way_->exchange() : nullptr;
+    }
 
     /// How many grains of which sizes there were at the start, or may come in.
     [[nodiscard]] const GrainCensus& census() const { return census_; }
@@ -100,6 +110,8 @@ private:
     void make_grains();
     void make_coupling();
     void make_company();
+    void declare_company_before(tasks::StageGraph& graph);
+    void declare_turbulence(tasks::StageGraph& graph);
     void declare();
     [[nodiscard]] tasks::Layout layout() const;
     [[nodiscard]] physics::StabilityNumbers stability(double dt) const;
@@ -140,6 +152,7 @@ private:
     std::optional<GrainTraffic> traffic_;
     std::function<void()> after_traffic_;
     std::optional<physics::CoupledStep> coupling_;
+    std::optional<physics::OneWayStep> one_way_;
     std::optional<tasks::Part<physics::ParticleDynamics>> dry_grains_;
     std::optional<tasks::Plan> plan_;
     physics::FluidClock dry_clock_; ///< of a scene without fluid

@@ -39,9 +39,11 @@ std::vector<double> values_of(const std::vector<MetricGroup>& groups)
 WorldMetrics::WorldMetrics(World& world, const std::filesystem::path& file, std::optional<double> restart_time) : ranks_(world.ranks())
 {
     if (world.coupling()) ledger_.emplace(world);
+    if (world.one_way()) one_way_.emplace(world);
     groups_.push_back(step_metrics(world));
     for (MetricGroup& group : state_metrics(world)) groups_.push_back(std::move(group));
     if (ledger_) groups_.push_back(momentum_metrics(*ledger_));
+    if (one_way_) groups_.push_back(one_way_metrics(*one_way_));
     if (ledger_ && world.scene().measures(GrainMeasure::transport)) groups_.push_back(bed_stress_metrics(world, *ledger_));
     on_rank_zero<core::FileError>(ranks_, [&] { writer_.emplace(file, names(), restart_time); });
 }
@@ -49,6 +51,7 @@ WorldMetrics::WorldMetrics(World& world, const std::filesystem::path& file, std:
 void WorldMetrics::after_step()
 {
     if (ledger_) ledger_->update();
+    if (one_way_) one_way_->update();
 }
 
 std::vector<std::string> WorldMetrics::names() const

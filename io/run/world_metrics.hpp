@@ -4,6 +4,7 @@
 // The numbers that tell how a run goes: rows of metrics.csv with the columns that the scene has a meaning for.
 #include "io/run/metrics.hpp"
 #include "io/run/momentum_ledger.hpp"
+#include "io/run/one_way_books.hpp"
 #include <functional>
 
 namespace io {
@@ -42,6 +43,7 @@ public:
 private:
     core::Communicator ranks_;
     std::optional<MomentumLedger> ledger_;
+    std::optional<OneWayBooks> one_way_;
     std::vector<MetricGroup> groups_;
     std::optional<MetricsWriter> writer_; ///< on rank 0
 };

@@ -69,7 +69,7 @@ physics::TimeStepLimit World::limit_of_step() const
         ranks_.max(shear);
         if (shear[0] > 0) limit.tighten(viscous_times / shear[0], "turbulence at walls");
     }
-    if (coupling_) {
+    if (coupling_ || one_way_) {
         std::array fastest{physics::largest_speed(grains_->particles)};
         ranks_.max(fastest);
         const double width = coupling_parameters(scene_, census_).filter_width;

@@ -19,6 +19,11 @@ MagnusLaw Coupling::chosen_magnus() const
 
 void describe(Schema& s, Coupling& p)
 {
+    s.value(
+        "feedback",
+        "two_way: fluid and particles feel each other; one_way: particles feel the fluid, which flows as if there were none, their drag "
+        "that of particles alone; for few of them",
+        choice_of(p.feedback, feedback_words));
     s.value("mode", "What waits for what in a step; auto chooses by the fluid", choice_of(p.mode, coupling_mode_words));
     s.value("filter", p.filter, "", "Width of the filter between particles and fluid", not_negative);
     s.value("preset",

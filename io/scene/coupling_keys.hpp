@@ -32,7 +32,11 @@ inline constexpr std::array<std::string_view, 3> switch_words{"auto", "on", "off
 enum class AddedMass { automatic, on, off, zuber };
 inline constexpr std::array<std::string_view, 4> added_mass_words{"auto", "on", "off", "zuber"};
 
+enum class Feedback { two_way, one_way };
+inline constexpr std::array<std::string_view, 2> feedback_words{"two_way", "one_way"};
+
 struct Coupling {
+    Feedback feedback = Feedback::two_way;
     CouplingMode mode = CouplingMode::automatic;
     Width filter{2.0, true};
     CouplingPreset preset = CouplingPreset::standard;

@@ -94,7 +94,7 @@ void CoupledStep::declare_middle(tasks::StageGraph& graph)
         middle_velocity(clock.dt, transport, out, gradients, out);
     };
     constexpr const char* name = "velocity in the middle of the step between grains";
-    if (viscous())
+    if (views_.viscous())
         graph.each_block(
             name,
             [find](LocalBlock, Vectors u, Vectors acceleration, Vectors viscous, Vectors transport, const Gradients& g,

@@ -49,14 +49,14 @@ tasks::Job CoupledStep::sum_surface(tasks::Lane& lane, const core::ParticleSet& 
         std::fill(values.begin(), values.end(), 0.0);
         places.deposit(b, deposits, surface.on(b)[0]);
     });
-    co_await send_home(lane, mesh_, plan_, surface);
+    co_await send_home(lane, mesh_, views_.plan(), surface);
     lane.team().run(mesh_.own_count(), [&](int b) {
         const auto field = surface.on(b)[0];
         map_cells(
             field, [](double q, double volume) { return q / volume; }, field, geometry(b).volume.view());
     });
     co_await filter_batch(lane, filter, surface);
-    co_await fill_for_sampling(lane, mesh_, plan_, surface);
+    co_await fill_for_sampling(lane, mesh_, views_.plan(), surface);
 }
 
 } // namespace physics

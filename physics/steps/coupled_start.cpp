@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // CoupledStep before a step: the filter and the fluid fraction of a new state, and how stiff its coupling is.
 #include "physics/coupling/drag.hpp"
-#include "physics/fluid/boundary_halo.hpp"
 #include "physics/fluid/cell_loops.hpp"
-#include "physics/fluid/mobility.hpp"
 #include "physics/steps/batch_filter.hpp"
 #include "physics/steps/coupled_step.hpp"
 #include <algorithm>
@@ -13,36 +11,10 @@ namespace physics {
 
 using core::LocalBlock;
 
-namespace {
-
-/// Most cells of the mesh share their volume field with nobody: the filter wants it as a field.
-core::ScalarField volumes(const core::Mesh& mesh)
-{
-    core::ScalarField volume({"volume", "m3", 0, false}, mesh.own_cells());
-    volume.allocate();
-    for (LocalBlock b = 0; b < mesh.own_count(); ++b)
-        map_cells(
-            volume.on(b), [](double v) { return v; }, mesh.geometry(b).volume.view());
-    return volume;
-}
-
-core::FaceField spreadings(const core::Mesh& mesh)
-{
-    core::FaceField faces({"spreading", "m", 0, false}, mesh.own_cells());
-    faces.allocate();
-    for (LocalBlock b = 0; b < mesh.own_count(); ++b) spreading(mesh.geometry(b), faces.on(b));
-    return faces;
-}
-
-} // namespace
-
 tasks::Job CoupledStep::find_fraction(tasks::Lane& lane)
 {
-    const core::ScalarField volume = volumes(mesh_);
-    const core::FaceField faces = spreadings(mesh_);
-    const MeshLinks links = make_mesh_links(mesh_, ranks_.rank());
     for (LaneFilter* filter : {&filter_, fluid_filter_.get()})
-        if (filter) co_await set_up(lane, filter->own, {&faces, links.spreading, nullptr}, volume);
+        if (filter) co_await set_up_on_mesh(lane, filter->own, mesh_, ranks_.rank());
     co_await sum_over_grains(lane, {dynamics_.particles, fields_.told, 0.0, places_.get(), holds_.get()}, filter_.own, fields_.sums);
     for (LocalBlock b = 0; b < mesh_.own_count(); ++b)
         map_cells(
@@ -54,7 +26,7 @@ tasks::Job CoupledStep::find_fraction(tasks::Lane& lane)
 tasks::Job CoupledStep::initialise(tasks::Lane& lane)
 {
     co_await find_fraction(lane);
-    co_await tell_state(lane);
+    co_await views_.tell_state(lane, filter_.own);
 }
 
 StabilityNumbers CoupledStep::stability(double dt, double bed_stiffness) const

@@ -23,8 +23,8 @@ CoupledStep::CoupledStep(const core::Locator& locator, const core::Communicator&
       parameters_(parameters),
       locator_(locator),
       halos_(halos),
-      plan_(mesh_, ranks, 1, 1, core::HaloShape::hats),
       fields_(mesh_),
+      views_(mesh_, ranks, halos, fluid, fields_, parameters),
       transport_(mesh_),
       exchange_(parameters, add_wet_columns(grains.particles), add_exchange_columns(grains.particles, parameters)),
       filter_("filter", make_mesh_links(mesh_, ranks.rank()).topology, parameters.filter_width),
@@ -40,14 +40,9 @@ CoupledStep::CoupledStep(const core::Locator& locator, const core::Communicator&
 {
     core::require<core::ConfigError>(!mesh_.topology().turns(), "grains cannot pass sides that are joined by a turn yet");
     fields_.fraction.allocate();
-    fields_.acceleration.allocate();
     fields_.ledger.allocate();
     fields_.sums.allocate();
-    fields_.told.allocate();
     if (parameters_.mixture) fields_.surface.allocate();
-    halos_.prepare(&fluid_.state().pressure, core::beside);
-    halos_.prepare(&fluid_.state().velocity, core::beside);
-    halos_.prepare(&fluid_.fields().velocity_gradient, core::beside);
     prepare_advection();
 }
 
@@ -69,7 +64,7 @@ void CoupledStep::declare(tasks::StageGraph& graph, Mode mode)
             const auto lane = graph.lane("fluid");
             if (company_.before) company_.before(graph);
             fluid_.declare_expected_drive(graph);
-            declare_viscosity(graph);
+            views_.declare_viscosity(graph);
             declare_transport(graph);
             declare_memory(graph);
         }
@@ -80,7 +75,7 @@ void CoupledStep::declare(tasks::StageGraph& graph, Mode mode)
         }
         {
             const auto lane = graph.lane("particles");
-            declare_vorticity(graph);
+            views_.declare_vorticity(graph);
             if (pass == 0) declare_sizes(graph);
             if (pass == 0) declare_grain_load(graph);
             else declare_restart_of_grains(graph);
@@ -94,7 +89,7 @@ void CoupledStep::declare(tasks::StageGraph& graph, Mode mode)
                 declare_advection(graph);
                 declare_expected(graph);
                 if (!waits) declare_assumed(graph, mode);
-            } else if (viscous()) {
+            } else if (views_.viscous()) {
                 declare_expected_again(graph);
             }
             declare_predictor(graph, sums);
@@ -113,7 +108,7 @@ void CoupledStep::declare(tasks::StageGraph& graph, Mode mode)
             declare_owed(graph);
             declare_surface(graph);
         }
-        declare_told(graph, kind);
+        views_.declare_told(graph, stress_of(kind));
     }
 }
 
@@ -126,7 +121,7 @@ void CoupledStep::declare_grain_load(tasks::StageGraph& graph)
                const core::ScalarField& fraction, const FluidClock& clock, const DriveState& drive, const GrainPlaces& places,
                const std::vector<double>& surface, ParticleDynamics& grains, GrainHolds& holds) {
             holds.forget();
-            GrainTable table = sample(lane.team(), places, std::size_t(grains.particles.owned), told, vorticity);
+            GrainTable table = views_.sample(lane.team(), places, std::size_t(grains.particles.owned), told, vorticity);
             GrainSurroundings around = surroundings(places, grains.particles, fraction);
             around.surface = surface;
             exchange_.remember_told(grains.particles, table);
@@ -156,7 +151,7 @@ void CoupledStep::declare_restart_of_grains(tasks::StageGraph& graph)
                const core::ScalarField& fraction, const FluidClock& clock, const DriveState& drive, const std::vector<double>& surface,
                GrainState& kept, GrainPlaces& places, ParticleDynamics& grains) {
             places.locate(mesh_, locator_, grains.domain(), kept.particles);
-            GrainTable table = sample(lane.team(), places, std::size_t(kept.particles.owned), told, vorticity);
+            GrainTable table = views_.sample(lane.team(), places, std::size_t(kept.particles.owned), told, vorticity);
             GrainSurroundings around = surroundings(places, kept.particles, fraction);
             around.surface = surface;
             exchange_.remember_told(kept.particles, table);
@@ -236,28 +231,13 @@ tasks::Job CoupledStep::sum_over_grains(tasks::Lane& lane, MovedGrains moved, Fi
             places.deposit(b, deposits[a], sums.on(b)[a]);
         }
     });
-    co_await send_home(lane, mesh_, plan_, sums);
+    co_await send_home(lane, mesh_, views_.plan(), sums);
     lane.team().run(mesh_.own_count(), [&](int b) {
         for (const auto& field : sums.on(b))
             map_cells(
                 field, [](double q, double volume) { return q / volume; }, field, geometry(b).volume.view());
     });
     co_await filter_batch(lane, filter, sums, exchange_.sums());
-}
-
-template <class... Batches>
-GrainTable CoupledStep::sample(const core::Team& team, const GrainPlaces& places, std::size_t grains, const Batches&... batches) const
-{
-    GrainTable table((Batches::arrays + ...), std::vector<double>(grains));
-    team.run(mesh_.own_count(), [&](int b) {
-        std::size_t column = 0;
-        const auto add = [&](const auto& fields) {
-            places.sample(b, fields, std::span(table).subspan(column, fields.size()));
-            column += fields.size();
-        };
-        (add(batches.on(b)), ...);
-    });
-    return table;
 }
 
 void CoupledStep::declare_owed(tasks::StageGraph& graph)
@@ -269,22 +249,29 @@ void CoupledStep::declare_owed(tasks::StageGraph& graph)
                const GrainPlaces& places, const GrainHolds& holds, const FluidClock& clock, const DriveState& drive,
                ParticleDynamics& grains) {
             const auto count = std::size_t(grains.particles.owned);
-            const GrainTable before = sample(lane.team(), places, count, told);
-            GrainTable after = sample(lane.team(), places, count, news);
-            add_correction(drive, after);
+            const GrainTable before = views_.sample(lane.team(), places, count, told);
+            GrainTable after = views_.sample(lane.team(), places, count, news);
+            views_.add_correction(drive, after);
             exchange_.owe(grains.particles, {before, holds, clock.dt}, after);
         },
         reads(f.told, f.news, places_, holds_, clock_, fluid_.drive()), updates(grains_));
     graph.sink(grains_);
 }
 
-/// What the drive was found to be beyond what grains were told pushes them like the pressure.
-void CoupledStep::add_correction(const DriveState& drive, GrainTable& views) const
+/// How the fluid has answered: the new state as the grains see it, and how much of it the projection made.
+void CoupledStep::declare_answer(tasks::StageGraph& graph, Mode mode, Pass pass)
 {
-    if (drive.correction == 0) return;
-    const core::Vec3 force = fluid_.parameters().density * drive.correction * drive_direction(fluid_.parameters().drive);
-    for (int a = 0; a < 3; ++a)
-        for (double& x : views[view_pressure_force + std::size_t(a)]) x += force[a];
+    const auto lane = graph.lane(waits_for_grains(mode) ? "particles" : "fluid");
+    views_.declare_state(graph);
+    graph.each_block(
+        "projection for grains",
+        [](LocalBlock, View<const double> response, Vectors psi_gradient, std::array<View<double>, grain_news> news) {
+            for (int c = 0; c < 3; ++c)
+                map_cells(
+                    news[news_projection + std::size_t(c)], [](double r, double g) { return -r * g; }, response, psi_gradient.component(c));
+        },
+        reads(fields_.response, fluid_.fields().psi_gradient), updates(fields_.news));
+    views_.declare_filtered(graph, waits_for_grains(mode) ? filter_ : *fluid_filter_, stress_of(pass));
 }
 
 } // namespace physics

@@ -2,16 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Fluid and grains in one step, coupled both ways: the algorithm of physics/coupling/response.hpp as stages.
-#include "core/comm/halo.hpp"
 #include "physics/coupling/cell_exchange.hpp"
-#include "physics/coupling/filter.hpp"
-#include "physics/coupling/grain_exchange.hpp"
 #include "physics/coupling/transport_fields.hpp"
 #include "physics/fluid/mobility.hpp"
 #include "physics/particles/stepper.hpp"
-#include "physics/steps/fluid_step.hpp"
+#include "physics/steps/fluid_views.hpp"
 #include "physics/steps/flux_agreement.hpp"
-#include "physics/steps/lane_filter.hpp"
 #include <functional>
 #include <limits>
 #include <memory>
@@ -61,8 +57,6 @@ public:
 
 private:
     void declare_boundaries(tasks::StageGraph& graph);
-    void declare_viscosity(tasks::StageGraph& graph);
-    void declare_vorticity(tasks::StageGraph& graph);
     void declare_sizes(tasks::StageGraph& graph);
     void declare_surface(tasks::StageGraph& graph);
     [[nodiscard]] tasks::Job sum_surface(tasks::Lane& lane, const core::ParticleSet& grains, const GrainPlaces& places, Filter& filter,
@@ -95,7 +89,10 @@ private:
     enum class Pass { followed, last };
     void declare_answer(tasks::StageGraph& graph, Mode mode, Pass pass);
     void declare_owed(tasks::StageGraph& graph);
-    void declare_told(tasks::StageGraph& graph, Pass pass);
+    [[nodiscard]] static FluidViews::Stress stress_of(Pass pass)
+    {
+        return pass == Pass::last ? FluidViews::Stress::of_new_state : FluidViews::Stress::as_told;
+    }
 
     /// Grains after the sub-steps, and what they were told.
     struct MovedGrains {
@@ -118,22 +115,10 @@ private:
         GrainHolds holds;
     };
     [[nodiscard]] tasks::Job coarse_pass(tasks::Lane& lane, AssumedGrains& assumed, double time) const;
-    tasks::Job tell_state(tasks::Lane& lane);
-    /// One column for each array of the batches.
-    template <class... Batches>
-    [[nodiscard]] GrainTable sample(const core::Team& team, const GrainPlaces& places, std::size_t grains, const Batches&... batches) const;
-    /// The state as grains see it, before the filter: the first views.
-    void view_state(core::LocalBlock b, CellVectors u, core::View<const double> p, CellVectors acceleration,
-                    std::span<const core::View<double>> out) const;
-    void view_stress_in(std::span<const core::View<double>> out, CellVectors viscous) const;
-    [[nodiscard]] bool viscous() const { return fluid_.viscosity_system() != nullptr; }
-    [[nodiscard]] bool spins() const { return parameters_.lift || parameters_.shear_lift || parameters_.torque; } ///< grains see vorticity
-    [[nodiscard]] bool tells_stress(Pass pass) const { return viscous() && pass == Pass::last; }
     [[nodiscard]] GrainSurroundings surroundings(const GrainPlaces& places, const core::ParticleSet& grains,
                                                  const core::ScalarField& fraction) const;
     /// What the step begins with and the grains are told [m/s2].
     [[nodiscard]] core::Vec3 drive_of(const FluidClock& clock, const DriveState& state) const;
-    void add_correction(const DriveState& drive, GrainTable& views) const;
     /// Time and drive of a step.
     struct StepDrive {
         const FluidClock& clock;
@@ -150,8 +135,8 @@ private:
     CouplingParameters parameters_;
     const core::Locator& locator_;
     tasks::HaloFiller& halos_;
-    core::HaloExchange plan_;
     ExchangeFields fields_;
+    FluidViews views_;
     TransportFields transport_;
     std::unique_ptr<FluxAgreement> agreement_; ///< with finite-volume advection alone
     GrainExchange exchange_;

@@ -50,6 +50,7 @@ TurbulenceStep::TurbulenceStep(const core::Mesh& mesh, FluidStep& fluid, const T
     : mesh_(mesh),
       fluid_(fluid),
       parameters_(parameters),
+      acts_on_grains_(coupling),
       entering_k_(entering(mesh, parameters, &Turbulence::k)),
       entering_epsilon_(entering(mesh, parameters, &Turbulence::epsilon)),
       k_({"k", "m2/s2", 1, true}, mesh.own_cells()),
@@ -89,9 +90,15 @@ TurbulenceStep::TurbulenceStep(const core::Mesh& mesh, FluidStep& fluid, const T
     if (coupling) {
         face_share_.allocate();
         halos_.prepare(&share_, core::beside);
-        halos_.prepare(&eddy_, core::beside);
+        act_on_grains();
     }
     fluid.fields().viscosity_ratio.begin();
+}
+
+void TurbulenceStep::act_on_grains()
+{
+    acts_on_grains_ = true;
+    halos_.prepare(&eddy_, core::beside);
 }
 
 std::variant<ModelledWalls, ResolvedWalls> TurbulenceStep::walls(LocalBlock b) const
@@ -134,7 +141,7 @@ void TurbulenceStep::declare_viscosity(tasks::StageGraph& graph)
 void TurbulenceStep::declare_before(tasks::StageGraph& graph)
 {
     graph.boundary(eddy_, "walls of eddy viscosity", [this](LocalBlock b, View<double> nu) { mirror_even(sides(b), 1, nu); });
-    if (!flux_.coupling()) declare_viscosity(graph);
+    if (!acts_on_grains_) declare_viscosity(graph);
     flux_.declare_old_half(graph);
     flux_.declare_shares(graph, share_);
 }
@@ -153,7 +160,7 @@ void TurbulenceStep::declare(tasks::StageGraph& graph)
                core::ScalarField&) { return advance(lane, flux, clock.dt, velocity); },
         reads(flux_.mean(), fluid_.state().velocity, f.viscosity_ratio, clock_), updates(k_, epsilon_, strain_, forcing_, share_));
     for (core::ScalarField* field : {&k_, &epsilon_, &strain_, &forcing_}) graph.sink(*field);
-    if (flux_.coupling()) declare_viscosity(graph);
+    if (acts_on_grains_) declare_viscosity(graph);
 }
 
 tasks::Job TurbulenceStep::find_viscosity(tasks::Lane& lane)

@@ -19,6 +19,9 @@ public:
     TurbulenceStep(const TurbulenceStep&) = delete;
     TurbulenceStep& operator=(const TurbulenceStep&) = delete;
 
+    /// For grains that feel the fluid, which does not feel them: as beside others, each step finds the viscosity of the next, for it acts
+    /// on them too. Before anything is declared.
+    void act_on_grains();
     /// What is needed of the old fluxes, and where the fluid is alone its viscosity: to be declared before the stages of the fluid.
     void declare_before(tasks::StageGraph& graph);
     /// To be declared where the new velocity is known. With grains the viscosity of the next step follows, for it acts on them too.
@@ -57,6 +60,7 @@ private:
     const core::Mesh& mesh_;
     FluidStep& fluid_;
     TurbulenceParameters parameters_;
+    bool acts_on_grains_;
     std::vector<std::vector<WallCell>> wall_cells_;   ///< of each block of this rank
     std::vector<core::Array3<double>> wall_distance_; ///< only where walls are resolved
     std::vector<EntryValues> entering_k_, entering_epsilon_;

@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
-// CoupledStep, what grains see of the fluid: the state that they are told, and the answer to what they did.
+#include "physics/steps/fluid_views.hpp"
 #include "physics/fluid/boundary_halo.hpp"
 #include "physics/fluid/cell_loops.hpp"
 #include "physics/fluid/gradient.hpp"
 #include "physics/steps/batch_filter.hpp"
-#include "physics/steps/coupled_step.hpp"
 
 namespace physics {
 namespace {
@@ -22,29 +21,45 @@ using core::LocalBlock, core::VectorView, core::View;
 using tasks::beside, tasks::reads, tasks::updates, tasks::writes;
 using Vectors = VectorView<const double>;
 
-void CoupledStep::view_state(LocalBlock b, Vectors u, View<const double> p, Vectors acceleration, std::span<const View<double>> out) const
+FluidViews::FluidViews(const core::Mesh& mesh, const core::Communicator& ranks, tasks::HaloFiller& halos, FluidStep& fluid,
+                       ExchangeFields& fields, const CouplingParameters& parameters)
+    : mesh_(mesh),
+      halos_(halos),
+      fluid_(fluid),
+      fields_(fields),
+      spins_(parameters.lift || parameters.shear_lift || parameters.torque),
+      plan_(mesh_, ranks, 1, 1, core::HaloShape::hats)
+{
+    fields_.acceleration.allocate();
+    fields_.told.allocate();
+    halos_.prepare(&fluid_.state().pressure, core::beside);
+    halos_.prepare(&fluid_.state().velocity, core::beside);
+    halos_.prepare(&fluid_.fields().velocity_gradient, core::beside);
+}
+
+void FluidViews::view_state(LocalBlock b, Vectors u, View<const double> p, Vectors acceleration, std::span<const View<double>> out) const
 {
     const auto force = vector_of(out, view_pressure_force);
     map_components(
         vector_of(out, view_velocity), [](double x) { return x; }, u);
-    gradient(geometry(b), pressure_matrices(geometry(b), fluid_.walls()[std::size_t(b)]), p, force);
+    gradient(mesh_.geometry(b), pressure_matrices(mesh_.geometry(b), fluid_.walls()[std::size_t(b)]), p, force);
     map_components(
         force, [](double x) { return -x; }, force);
     map_components(
         vector_of(out, view_acceleration), [](double x) { return x; }, acceleration);
 }
 
-void CoupledStep::view_stress_in(std::span<const View<double>> out, Vectors viscous) const
+void FluidViews::view_stress_in(std::span<const View<double>> out, Vectors viscous) const
 {
     map_components(
-        vector_of(out, 0), [rho = parameters_.fluid_density](double a) { return rho * a; }, viscous);
+        vector_of(out, 0), [rho = fluid_.parameters().density](double a) { return rho * a; }, viscous);
 }
 
-tasks::Job CoupledStep::tell_state(tasks::Lane& lane)
+tasks::Job FluidViews::tell_state(tasks::Lane& lane, Filter& filter)
 {
     FluidState& state = fluid_.state();
     co_await halos_.fill(lane, &state.pressure, core::beside);
-    if (viscous() || spins() || fluid_.by_finite_volumes()) co_await fluid_.find_velocity_gradients(lane);
+    if (viscous() || spins_ || fluid_.by_finite_volumes()) co_await fluid_.find_velocity_gradients(lane);
     if (viscous()) co_await fluid_.find_viscous_acceleration(lane, fields_.viscous);
     for (LocalBlock b = 0; b < mesh_.own_count(); ++b) {
         const auto told = fields_.told.on(b);
@@ -52,12 +67,11 @@ tasks::Job CoupledStep::tell_state(tasks::Lane& lane)
         view_state(b, state.velocity.on(b), state.pressure.on(b), fields_.acceleration.on(b), told);
         if (viscous()) view_stress_in(std::span(told).subspan(view_stress), fields_.viscous.on(b));
     }
-    co_await filter_batch(lane, filter_.own, fields_.told);
+    co_await filter_batch(lane, filter, fields_.told);
     co_await fill_for_sampling(lane, mesh_, plan_, fields_.told);
 }
 
-/// The viscous acceleration was found when the last step told the grains of it.
-void CoupledStep::declare_viscosity(tasks::StageGraph& graph)
+void FluidViews::declare_viscosity(tasks::StageGraph& graph)
 {
     if (!viscous()) return;
     graph.each_block(
@@ -69,9 +83,9 @@ void CoupledStep::declare_viscosity(tasks::StageGraph& graph)
         reads(fields_.viscous), writes(fluid_.fields().viscous));
 }
 
-void CoupledStep::declare_vorticity(tasks::StageGraph& graph)
+void FluidViews::declare_vorticity(tasks::StageGraph& graph)
 {
-    if (!spins()) return;
+    if (!spins_) return;
     auto& f = fields_;
     auto& fluid = fluid_.fields();
     graph.each_block(
@@ -85,26 +99,23 @@ void CoupledStep::declare_vorticity(tasks::StageGraph& graph)
         [this](tasks::Lane& lane, core::FieldBatch<3>& curl) { return fill_for_sampling(lane, mesh_, plan_, curl); }, updates(f.vorticity));
 }
 
-/// The new state as the grains see it.
-void CoupledStep::declare_answer(tasks::StageGraph& graph, Mode mode, Pass pass)
+void FluidViews::declare_state(tasks::StageGraph& graph)
 {
-    const auto lane = graph.lane(waits_for_grains(mode) ? "particles" : "fluid");
-    LaneFilter& lane_filter = waits_for_grains(mode) ? filter_ : *fluid_filter_;
-    auto& f = fields_;
-    auto& fluid = fluid_.fields();
     auto& state = fluid_.state();
     graph.each_block(
         "answer for grains",
-        [this](LocalBlock b, Vectors u, View<const double> p, Vectors acceleration, View<const double> response, Vectors psi_gradient,
-               std::array<View<double>, grain_news> news) {
+        [this](LocalBlock b, Vectors u, View<const double> p, Vectors acceleration, std::array<View<double>, grain_news> news) {
             view_state(b, u, p, acceleration, news);
-            for (int c = 0; c < 3; ++c)
-                map_cells(
-                    news[news_projection + std::size_t(c)], [](double r, double g) { return -r * g; }, response, psi_gradient.component(c));
         },
-        reads(state.velocity, beside(state.pressure), f.acceleration, f.response, fluid.psi_gradient), writes(f.news));
-    if (tells_stress(pass) || spins() || (fluid_.by_finite_volumes() && pass == Pass::last)) fluid_.declare_velocity_gradients(graph);
-    if (tells_stress(pass)) {
+        reads(state.velocity, beside(state.pressure), fields_.acceleration), writes(fields_.news));
+}
+
+void FluidViews::declare_filtered(tasks::StageGraph& graph, LaneFilter& filter, Stress stress)
+{
+    auto& f = fields_;
+    if (tells_stress(stress) || spins_ || (fluid_.by_finite_volumes() && stress == Stress::of_new_state))
+        fluid_.declare_velocity_gradients(graph);
+    if (tells_stress(stress)) {
         fluid_.declare_viscous_acceleration(graph, f.viscous);
         graph.each_block(
             "viscous stress for grains",
@@ -115,27 +126,34 @@ void CoupledStep::declare_answer(tasks::StageGraph& graph, Mode mode, Pass pass)
     }
     graph.whole(
         "filter answer for grains",
-        [this, arrays = std::size_t(tells_stress(pass) ? grain_news : news_views)](tasks::Lane& lane, core::FieldBatch<grain_news>& news,
-                                                                                   Filter& filter) -> tasks::Job {
-            co_await filter_batch(lane, filter, news, arrays);
+        [this, arrays = std::size_t(tells_stress(stress) ? grain_news : news_views)](tasks::Lane& lane, core::FieldBatch<grain_news>& news,
+                                                                                     Filter& own) -> tasks::Job {
+            co_await filter_batch(lane, own, news, arrays);
             co_await fill_for_sampling(lane, mesh_, plan_, news);
         },
-        updates(f.news), writes(lane_filter.stage_part));
+        updates(f.news), writes(filter.stage_part));
 }
 
-/// What the next pass, or the next step, tells the grains: no copy, as the news mean nothing any more. Through all passes of a step
-/// the stress is that of its start.
-void CoupledStep::declare_told(tasks::StageGraph& graph, Pass pass)
+/// No copy, as the news mean nothing any more. Through all passes of a step the stress is that of its start.
+void FluidViews::declare_told(tasks::StageGraph& graph, Stress stress)
 {
     graph.whole(
         "tell grains",
-        [this, stress = tells_stress(pass)](tasks::Lane&, core::FieldBatch<grain_news>& news, core::FieldBatch<told_views>& told) {
+        [this, with_stress = tells_stress(stress)](tasks::Lane&, core::FieldBatch<grain_news>& news, core::FieldBatch<told_views>& told) {
             for (LocalBlock b = 0; b < mesh_.own_count(); ++b) {
                 for (std::size_t a = 0; a < state_views; ++a) std::swap(told.data(b, a), news.data(b, a));
-                for (std::size_t a = 0; stress && a < 3; ++a) std::swap(told.data(b, view_stress + a), news.data(b, news_stress + a));
+                for (std::size_t a = 0; with_stress && a < 3; ++a) std::swap(told.data(b, view_stress + a), news.data(b, news_stress + a));
             }
         },
         updates(fields_.news, fields_.told));
+}
+
+void FluidViews::add_correction(const DriveState& drive, GrainTable& views) const
+{
+    if (drive.correction == 0) return;
+    const core::Vec3 force = fluid_.parameters().density * drive.correction * drive_direction(fluid_.parameters().drive);
+    for (int a = 0; a < 3; ++a)
+        for (double& x : views[view_pressure_force + std::size_t(a)]) x += force[a];
 }
 
 } // namespace physics

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Isago authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// What grains see of the fluid: the filtered state that they are told, and its answer when it has made its step.
+#include "core/comm/halo.hpp"
+#include "physics/coupling/cell_exchange.hpp"
+#include "physics/coupling/grain_exchange.hpp"
+#include "physics/steps/fluid_step.hpp"
+#include "physics/steps/lane_filter.hpp"
+
+namespace physics {
+
+class FluidViews {
+public:
+    /// All references must outlive the views; `fields` has what they read and write. Collective.
+    FluidViews(const core::Mesh& mesh, const core::Communicator& ranks, tasks::HaloFiller& halos, FluidStep& fluid, ExchangeFields& fields,
+               const CouplingParameters& parameters);
+
+    /// Tells the present state, of which all is found anew. Collective.
+    [[nodiscard]] tasks::Job tell_state(tasks::Lane& lane, Filter& filter);
+
+    /// Hands the fluid the viscous acceleration of the old velocity, found when the last step told the grains of it.
+    void declare_viscosity(tasks::StageGraph& graph);
+    /// For grains that it turns or lifts.
+    void declare_vorticity(tasks::StageGraph& graph);
+    /// The new state as the grains see it.
+    void declare_state(tasks::StageGraph& graph);
+    /// Is the viscous stress that of the new state, or still what grains have been told?
+    enum class Stress { as_told, of_new_state };
+    /// What is told of the gradients of velocity, and the filter over all that the grains will sample.
+    void declare_filtered(tasks::StageGraph& graph, LaneFilter& filter, Stress stress);
+    /// The answer becomes what the next pass, or the next step, tells the grains.
+    void declare_told(tasks::StageGraph& graph, Stress stress);
+
+    /// One column for each array of the batches.
+    template <class... Batches>
+    [[nodiscard]] GrainTable sample(const core::Team& team, const GrainPlaces& places, std::size_t grains, const Batches&... batches) const
+    {
+        GrainTable table((Batches::arrays + ...), std::vector<double>(grains));
+        team.run(mesh_.own_count(), [&](int b) {
+            std::size_t column = 0;
+            const auto add = [&](const auto& fields) {
+                places.sample(b, fields, std::span(table).subspan(column, fields.size()));
+                column += fields.size();
+            };
+            (add(batches.on(b)), ...);
+        });
+        return table;
+    }
+    /// What the drive was found to be beyond what grains were told pushes them like the pressure.
+    void add_correction(const DriveState& drive, GrainTable& views) const;
+
+    [[nodiscard]] bool viscous() const { return fluid_.viscosity_system() != nullptr; }
+    /// Between cells and places of grains.
+    [[nodiscard]] const core::HaloExchange& plan() const { return plan_; }
+
+private:
+    void view_state(core::LocalBlock b, CellVectors u, core::View<const double> p, CellVectors acceleration,
+                    std::span<const core::View<double>> out) const;
+    void view_stress_in(std::span<const core::View<double>> out, CellVectors viscous) const;
+    [[nodiscard]] bool tells_stress(Stress stress) const { return viscous() && stress == Stress::of_new_state; }
+
+    const core::Mesh& mesh_;
+    tasks::HaloFiller& halos_;
+    FluidStep& fluid_;
+    ExchangeFields& fields_;
+    bool spins_; ///< Do grains see vorticity?
+    core::HaloExchange plan_;
+};
+
+} // namespace physics

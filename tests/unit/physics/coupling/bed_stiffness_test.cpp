@@ -43,6 +43,12 @@ TEST_CASE("a soft bed with stiff drag and much mass is iterated, and the reason 
     CHECK(physics::choose_mode(n).reason.find("K/(k dt)") != std::string::npos);
     CHECK(physics::choose_mode(n).reason.find("contact.stiffness") != std::string::npos);
     CHECK_FALSE(physics::holds(physics::Mode::coarse, n));
+    n.softness = 0.1;
+    CHECK(physics::choose_mode(n).mode == physics::Mode::pipelined);
+    n.stiffness = 2.0; // b M = 6: stiffer springs are needed
+    CHECK(physics::choose_mode(n).mode == physics::Mode::iterated);
+    CHECK(physics::choose_mode(n).reason.find("K/(k dt) > 0.07") != std::string::npos);
+    n.softness = 2.0;
     n.stiffness = 0.1; // b M = 0.3: what it exchanges in a step is little
     CHECK(physics::choose_mode(n).mode == physics::Mode::pipelined);
 }

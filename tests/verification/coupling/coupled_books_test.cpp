@@ -30,7 +30,7 @@ TEST_CASE("drive, weight, walls, advection and what is owed explain all change o
         const auto executor = tasks::make_executor({"serial"}, world.compile());
         io::MomentumLedger books(world);
         double defect = 0, exchange = 0, couple = 0;
-        std::array<double, 8> largest{};
+        std::vector<double> largest(io::MomentumImpulses::outer_lines().size());
         for (int step = 0; step < 60; ++step) {
             world.step(*executor);
             books.update();
@@ -59,7 +59,7 @@ TEST_CASE("a line of the books that is left out or wrong is noticed")
     world.settle(core::SerialTeam());
     const auto executor = tasks::make_executor({"serial"}, world.compile());
     io::MomentumLedger books(world);
-    std::array<double, 8> without{};
+    std::vector<double> without(io::MomentumImpulses::outer_lines().size());
     for (int step = 0; step < 20; ++step) {
         world.step(*executor);
         books.update();
@@ -69,8 +69,10 @@ TEST_CASE("a line of the books that is left out or wrong is noticed")
         }
     }
     for (std::size_t n = 0; n < without.size(); ++n) {
-        INFO("without ", io::MomentumImpulses::outer_lines()[n].name);
-        CHECK(without[n] > 1e-6);
+        const std::string name = io::MomentumImpulses::outer_lines()[n].name;
+        INFO("without ", name);
+        const bool is_of_open_domains = name == "traffic" || name == "through"; // traffic_two_ranks has those
+        CHECK((without[n] > 1e-6) != is_of_open_domains);
     }
     SUBCASE("fluid that gains a tenth of a per cent from nowhere")
     {

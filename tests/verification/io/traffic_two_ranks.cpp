@@ -176,6 +176,23 @@ TEST_CASE("so they are in water, whose dye keeps its concentration when a grain 
     });
 }
 
+TEST_CASE("the books notice when what comes in and goes out, by itself or with the water, is left out")
+{
+    io::World world(shower_in_water(), core::Communicator::self());
+    const auto executor = tasks::make_executor({"serial"}, world.compile());
+    io::MomentumLedger books(world);
+    double without_traffic = 0, without_through = 0;
+    for (int step = 0; step < 20; ++step) {
+        world.step(*executor);
+        books.update();
+        const io::MomentumImpulses& lines = books.impulses();
+        without_traffic = std::max(without_traffic, books.defect(lines.outer() - lines.traffic));
+        without_through = std::max(without_through, books.defect(lines.outer() - lines.through));
+    }
+    CHECK(without_traffic > 1e-6);
+    CHECK(without_through > 1e-6);
+}
+
 TEST_CASE("a grain that is lost or twice there is an error that names it, on all ranks")
 {
     const auto ranks = core::Communicator::world();

@@ -105,7 +105,7 @@ void CoupledStep::declare(tasks::StageGraph& graph, Mode mode)
             declare_fraction(graph);
             declare_ledger(graph, mode);
             declare_agreement(graph);
-            declare_owed(graph);
+            views_.declare_owed(graph, {exchange_, grains_, places_, holds_, clock_});
             declare_surface(graph);
         }
         views_.declare_told(graph, stress_of(kind));
@@ -238,24 +238,6 @@ tasks::Job CoupledStep::sum_over_grains(tasks::Lane& lane, MovedGrains moved, Fi
                 field, [](double q, double volume) { return q / volume; }, field, geometry(b).volume.view());
     });
     co_await filter_batch(lane, filter, sums, exchange_.sums());
-}
-
-void CoupledStep::declare_owed(tasks::StageGraph& graph)
-{
-    auto& f = fields_;
-    graph.whole(
-        "owe grains",
-        [this](tasks::Lane& lane, const core::FieldBatch<told_views>& told, const core::FieldBatch<grain_news>& news,
-               const GrainPlaces& places, const GrainHolds& holds, const FluidClock& clock, const DriveState& drive,
-               ParticleDynamics& grains) {
-            const auto count = std::size_t(grains.particles.owned);
-            const GrainTable before = views_.sample(lane.team(), places, count, told);
-            GrainTable after = views_.sample(lane.team(), places, count, news);
-            views_.add_correction(drive, after);
-            exchange_.owe(grains.particles, {before, holds, clock.dt}, after);
-        },
-        reads(f.told, f.news, places_, holds_, clock_, fluid_.drive()), updates(grains_));
-    graph.sink(grains_);
 }
 
 /// How the fluid has answered: the new state as the grains see it, and how much of it the projection made.

@@ -88,7 +88,6 @@ private:
     /// The last pass of a step is followed by another step, which begins with the viscous stress.
     enum class Pass { followed, last };
     void declare_answer(tasks::StageGraph& graph, Mode mode, Pass pass);
-    void declare_owed(tasks::StageGraph& graph);
     [[nodiscard]] static FluidViews::Stress stress_of(Pass pass)
     {
         return pass == Pass::last ? FluidViews::Stress::of_new_state : FluidViews::Stress::as_told;

@@ -148,6 +148,24 @@ void FluidViews::declare_told(tasks::StageGraph& graph, Stress stress)
         updates(fields_.news, fields_.told));
 }
 
+void FluidViews::declare_owed(tasks::StageGraph& graph, const GrainLane& lane)
+{
+    graph.whole(
+        "owe grains",
+        [this, &exchange = lane.exchange](tasks::Lane& own, const core::FieldBatch<told_views>& told,
+                                          const core::FieldBatch<grain_news>& news, const GrainPlaces& places, const GrainHolds& holds,
+                                          const FluidClock& clock, const DriveState& drive, ParticleDynamics& grains) {
+            const auto count = std::size_t(grains.particles.owned);
+            const GrainTable before = sample(own.team(), places, count, told);
+            GrainTable after = sample(own.team(), places, count, news);
+            add_correction(drive, after);
+            exchange.owe(grains.particles, {before, holds, clock.dt}, after);
+        },
+        reads(fields_.told, fields_.news, lane.places, lane.holds, lane.clock, fluid_.drive()), updates(lane.grains));
+    graph.sink(lane.grains);
+}
+
+/// What the drive was found to be beyond what grains were told pushes them like the pressure.
 void FluidViews::add_correction(const DriveState& drive, GrainTable& views) const
 {
     if (drive.correction == 0) return;

@@ -5,6 +5,7 @@
 #include "core/comm/halo.hpp"
 #include "physics/coupling/cell_exchange.hpp"
 #include "physics/coupling/grain_exchange.hpp"
+#include "physics/particles/dynamics.hpp"
 #include "physics/steps/fluid_step.hpp"
 #include "physics/steps/lane_filter.hpp"
 
@@ -47,8 +48,16 @@ public:
         });
         return table;
     }
-    /// What the drive was found to be beyond what grains were told pushes them like the pressure.
-    void add_correction(const DriveState& drive, GrainTable& views) const;
+    /// The grains of a step, and where and how they are when they have moved.
+    struct GrainLane {
+        const GrainExchange& exchange;
+        tasks::Part<ParticleDynamics>& grains;
+        tasks::Value<GrainPlaces>& places;
+        tasks::Value<GrainHolds>& holds;
+        tasks::Part<FluidClock>& clock;
+    };
+    /// Grains are owed what the answer is beyond what they were told: step 6 of response.hpp.
+    void declare_owed(tasks::StageGraph& graph, const GrainLane& lane);
 
     [[nodiscard]] bool viscous() const { return fluid_.viscosity_system() != nullptr; }
     /// Between cells and places of grains.
@@ -57,6 +66,7 @@ public:
 private:
     void view_state(core::LocalBlock b, CellVectors u, core::View<const double> p, CellVectors acceleration,
                     std::span<const core::View<double>> out) const;
+    void add_correction(const DriveState& drive, GrainTable& views) const;
     void view_stress_in(std::span<const core::View<double>> out, CellVectors viscous) const;
     [[nodiscard]] bool tells_stress(Stress stress) const { return viscous() && stress == Stress::of_new_state; }
 

@@ -51,7 +51,9 @@ void OneWayStep::declare(tasks::StageGraph& graph, const Company& company)
         if (company.after) company.after(graph);
         declare_answer(graph);
     }
-    declare_owed(graph);
+    const auto lane = graph.lane("particles");
+    views_.declare_owed(graph, {exchange_, grains_, places_, holds_, clock_});
+    views_.declare_told(graph, Stress::of_new_state);
 }
 
 void OneWayStep::declare_grains(tasks::StageGraph& graph)
@@ -127,25 +129,6 @@ void OneWayStep::declare_answer(tasks::StageGraph& graph)
         },
         reads(fluid.psi_gradient, clock_, fluid_.drive()), updates(fields_.news));
     views_.declare_filtered(graph, filter_, Stress::of_new_state);
-}
-
-void OneWayStep::declare_owed(tasks::StageGraph& graph)
-{
-    const auto lane = graph.lane("particles");
-    graph.whole(
-        "owe grains",
-        [this](tasks::Lane& own, const core::FieldBatch<told_views>& told, const core::FieldBatch<grain_news>& news,
-               const GrainPlaces& places, const GrainHolds& holds, const FluidClock& clock, const DriveState& drive,
-               ParticleDynamics& grains) {
-            const auto count = std::size_t(grains.particles.owned);
-            const GrainTable before = views_.sample(own.team(), places, count, told);
-            GrainTable after = views_.sample(own.team(), places, count, news);
-            views_.add_correction(drive, after);
-            exchange_.owe(grains.particles, {before, holds, clock.dt}, after);
-        },
-        reads(fields_.told, fields_.news, places_, holds_, clock_, fluid_.drive()), updates(grains_));
-    graph.sink(grains_);
-    views_.declare_told(graph, Stress::of_new_state);
 }
 
 tasks::Job OneWayStep::initialise(tasks::Lane& lane)

@@ -37,7 +37,6 @@ public:
 private:
     void declare_grains(tasks::StageGraph& graph);
     void declare_answer(tasks::StageGraph& graph);
-    void declare_owed(tasks::StageGraph& graph);
     /// Places and holds after the sub-steps. @throws NumericsError
     void find_grains(const ParticleDynamics& grains, GrainPlaces& places, GrainHolds& holds) const;
     [[nodiscard]] core::Vec3 correction_of(const DriveState& drive) const;

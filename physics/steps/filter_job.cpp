@@ -42,6 +42,7 @@ tasks::Job set_up(tasks::Lane& lane, Filter& filter, Coefficients transmissibili
 
 tasks::Job set_up_on_mesh(tasks::Lane& lane, Filter& filter, const core::Mesh& mesh, int rank)
 {
+    if (filter.degree() > 0) co_return; // it knows the mesh, which never changes: on all ranks alike
     const core::ScalarField volume = volumes(mesh);
     const core::FaceField faces = spreadings(mesh);
     const MeshLinks links = make_mesh_links(mesh, rank);

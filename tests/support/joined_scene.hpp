@@ -42,4 +42,21 @@ private:
     support::SharedFolder folder_;
 };
 
+/// Grains of two kinds in oil that is driven, over boxes that touch along x.
+inline io::Scene bed_across_a_side(const BoxesFile& file, const std::string& mode)
+{
+    return scene_from_text("name: bed across a side\n" + file.grid("x, z") + R"(fluid:
+  oil: { density: 1000 kg/m3, viscosity: 1e-5 m2/s }
+  drive: { pressure_gradient: 2 kPa/m }
+gravity: { direction: -y }
+particles:
+  - { name: heavy, count: 80, diameter: 1.5 mm, density: 2000 kg/m3 }
+  - { name: light, count: 40, diameter: 1.2 mm, density: 1100 kg/m3 }
+contact: { stiffness: 500 N/m, restitution: 0.6, friction: 0.4 }
+coupling: { added_mass: on, lift: on, torque: on, mode: )" +
+                           mode + R"( }
+run: { settle: 50 ms, until: 1 s, time_step: 1 ms }
+)");
+}
+
 } // namespace test

@@ -98,18 +98,7 @@ TEST_CASE("finite volumes keep momentum across sides whose points do not match")
 {
     const test::BoxesFile file(core::Communicator::self(), {{{0, 0, 0}, {8e-3, 16e-3, 8e-3}, {6, 12, 6}, {1, 1, 1}, {}},
                                                             {{8e-3, 0, 0}, {16e-3, 16e-3, 8e-3}, {9, 16, 9}, {1, 1, 1}, {}}});
-    check(close_books(test::scene_from_text("name: bed across a side\n" + file.grid("x, z") + R"(fluid:
-  oil: { density: 1000 kg/m3, viscosity: 1e-5 m2/s }
-  drive: { pressure_gradient: 2 kPa/m }
-gravity: { direction: -y }
-particles:
-  - { name: heavy, count: 80, diameter: 1.5 mm, density: 2000 kg/m3 }
-  - { name: light, count: 40, diameter: 1.2 mm, density: 1100 kg/m3 }
-contact: { stiffness: 500 N/m, restitution: 0.6, friction: 0.4 }
-coupling: { added_mass: on, lift: on, torque: on, mode: pipelined }
-run: { settle: 50 ms, until: 1 s, time_step: 1 ms }
-)"),
-                      30));
+    check(close_books(test::bed_across_a_side(file, "pipelined"), 30));
 }
 
 TEST_CASE("grains that move with a uniform flow feel nothing and change nothing by finite volumes either")

@@ -17,22 +17,6 @@ std::vector<core::Box> across(core::Extents first, core::Extents second)
     return {{{0, 0, 0}, {8e-3, 16e-3, 8e-3}, first, {1, 1, 1}, {}}, {{8e-3, 0, 0}, {16e-3, 16e-3, 8e-3}, second, {1, 1, 1}, {}}};
 }
 
-io::Scene bed(const test::BoxesFile& file, const std::string& mode)
-{
-    return test::scene_from_text("name: bed across a side\n" + file.grid("x, z") + R"(fluid:
-  oil: { density: 1000 kg/m3, viscosity: 1e-5 m2/s }
-  drive: { pressure_gradient: 2 kPa/m }
-gravity: { direction: -y }
-particles:
-  - { name: heavy, count: 80, diameter: 1.5 mm, density: 2000 kg/m3 }
-  - { name: light, count: 40, diameter: 1.2 mm, density: 1100 kg/m3 }
-contact: { stiffness: 500 N/m, restitution: 0.6, friction: 0.4 }
-coupling: { added_mass: on, lift: on, torque: on, mode: )" +
-                                 mode + R"( }
-run: { settle: 50 ms, until: 1 s, time_step: 1 ms }
-)");
-}
-
 /// A grain that sinks along y from one box of cells into another, periodic beside it: its speed at each step.
 struct Sinking {
     std::vector<double> height, speed; ///< [m, m/s]
@@ -69,7 +53,7 @@ TEST_CASE("a bed across sides whose points do not match keeps momentum and volum
 {
     const test::BoxesFile file(core::Communicator::self(), across({6, 12, 6}, {9, 16, 9}));
     for (const std::string& mode : {std::string("pipelined"), std::string("iterated")}) {
-        io::World world(bed(file, mode), core::Communicator::self());
+        io::World world(test::bed_across_a_side(file, mode), core::Communicator::self());
         world.settle(core::SerialTeam());
         const auto executor = tasks::make_executor({"serial"}, world.compile());
         io::MomentumLedger books(world);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #include "io/scene/scene_writer.hpp"
+#include "tests/support/source_root.hpp"
 #include "tests/unit/io/scene_text.hpp"
 #include <algorithm>
 #include <doctest/doctest.h>
@@ -10,9 +11,8 @@ namespace {
 
 std::vector<std::filesystem::path> shipped_scenes()
 {
-    const auto root = std::filesystem::path(__FILE__).parent_path().parent_path().parent_path().parent_path();
     std::vector<std::filesystem::path> scenes;
-    for (const auto& entry : std::filesystem::directory_iterator(root / "configs"))
+    for (const auto& entry : std::filesystem::directory_iterator(test::source_root() / "configs"))
         if (std::filesystem::exists(entry.path() / "scene.yaml")) scenes.push_back(entry.path());
     std::sort(scenes.begin(), scenes.end());
     return scenes;

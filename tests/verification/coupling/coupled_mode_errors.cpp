@@ -3,13 +3,13 @@
 // The study of configs/coupling_modes: all coupling modes converge in space, and to the same answer (NUMERICS C5.7).
 #include "core/comm/communicator.hpp"
 #include "io/study/study_report.hpp"
+#include "tests/support/source_root.hpp"
 #include <doctest/doctest.h>
 #include <map>
 
 TEST_CASE("in all coupling modes sinking sand in a swinging flow converges with the time step, to one answer")
 {
-    const auto root = std::filesystem::path(__FILE__).parent_path().parent_path().parent_path().parent_path();
-    const auto plan = io::read_study(root / "configs" / "coupling_modes" / "study.yaml");
+    const auto plan = io::read_study(test::source_root() / "configs" / "coupling_modes" / "study.yaml");
     const auto ranks = core::Communicator::world();
     const auto runs = io::run_study(plan, ranks, {"serial", 1}, [](const io::StudyRun&) {});
     MESSAGE(io::table_text(io::report_of(plan, runs, ranks)));

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // ctest: timeout=120
 // The program as users meet it: exit codes and output of its commands.
+#include "tests/support/source_root.hpp"
 #include "tests/unit/io/temporary_folder.hpp"
 #include <cstdlib>
 #include <doctest/doctest.h>
@@ -11,7 +12,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const fs::path source_root = fs::path(__FILE__).parent_path().parent_path().parent_path().parent_path();
 const fs::path isago = fs::read_symlink("/proc/self/exe").parent_path().parent_path() / "io" / "isago";
 
 struct Outcome {
@@ -28,7 +28,7 @@ Outcome run(const std::string& arguments)
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of_file(output)};
 }
 
-const std::string bed = (source_root / "configs" / "settling_bed").string();
+const std::string bed = (test::source_root() / "configs" / "settling_bed").string();
 
 } // namespace
 
@@ -89,6 +89,6 @@ for scene in scenes:
     assert not validator.is_valid({**scene, "grid": {}})
 )");
     const std::string command =
-        "python3 " + (folder.path() / "compare.py").string() + " " + folder.path().string() + " " + source_root.string();
+        "python3 " + (folder.path() / "compare.py").string() + " " + folder.path().string() + " " + test::source_root().string();
     CHECK(std::system(command.c_str()) == 0);
 }

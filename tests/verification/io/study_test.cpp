@@ -6,6 +6,7 @@
 #include "core/comm/communicator.hpp"
 #include "io/study/study_ensemble.hpp"
 #include "io/study/study_report.hpp"
+#include "tests/support/source_root.hpp"
 #include "tests/unit/io/temporary_folder.hpp"
 #include <algorithm>
 #include <cmath>
@@ -13,12 +14,10 @@
 
 namespace {
 
-const std::filesystem::path source_root = std::filesystem::path(__FILE__).parent_path().parent_path().parent_path().parent_path();
-
 std::filesystem::path study_in(const TemporaryFolder& folder, const std::string& rest)
 {
     const auto file = folder.path() / "study.yaml";
-    write_file(file, "name: test\nscene: " + (source_root / "configs" / "pipe_womersley").string() + "\n" + rest);
+    write_file(file, "name: test\nscene: " + (test::source_root() / "configs" / "pipe_womersley").string() + "\n" + rest);
     return file;
 }
 

@@ -25,7 +25,17 @@ endif()
 find_program(CCACHE ccache)
 if(CCACHE)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+  set(CMAKE_DISABLE_PRECOMPILE_HEADERS ON) # the cache does more, and precompiled headers would spoil it
 endif()
+
+# precompile(TARGET): the headers of precompiled.hpp, read once for all targets.
+function(precompile target)
+  if(TARGET isago_core AND NOT target STREQUAL isago_core)
+    target_precompile_headers(${target} REUSE_FROM isago_core)
+  else()
+    target_precompile_headers(${target} PRIVATE ${CMAKE_SOURCE_DIR}/cmake/precompiled.hpp)
+  endif()
+endfunction()
 
 # add_floor(NAME libraries...): the static library of one floor, from all sources under its folder.
 function(add_floor name)
@@ -34,4 +44,5 @@ function(add_floor name)
   add_library(isago_${name} STATIC ${sources})
   set_target_properties(isago_${name} PROPERTIES LINKER_LANGUAGE CXX)
   target_link_libraries(isago_${name} PUBLIC isago_options ${ARGN})
+  precompile(isago_${name})
 endfunction()

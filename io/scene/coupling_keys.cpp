@@ -54,7 +54,9 @@ void describe(Schema& s, Coupling& p)
     s.value("shear_lift", "Lift of particles in shear (Saffman, Mei); auto: off, 'isago plan' estimates it",
             choice_of(p.shear_lift, switch_words));
     s.value("torque", "Torque of the fluid on spinning particles; auto: by its estimated size", choice_of(p.torque, switch_words));
-    s.value("history", "History force (Basset), for Reynolds numbers below 1; auto: off, 'isago plan' estimates it",
+    s.value("history",
+            "History force (Basset), whose memory fades where the slip carries vorticity away (Mei and Adrian); auto: off, 'isago plan' "
+            "estimates it",
             choice_of(p.history, switch_words));
     s.value(
         "own_disturbance",

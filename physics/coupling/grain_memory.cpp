@@ -27,13 +27,20 @@ HistoryMemory memory_of(const core::ParticleSet& grains, int first, int g)
     return memory;
 }
 
+/// How memory decays in a step that begins with this slip.
+HistoryTail tail_of(const CouplingParameters& p, double diameter, const core::Vec3& slip)
+{
+    const double diffusion = p.viscosity / p.fluid_density, viscous_time = diameter * diameter / diffusion;
+    return HistoryTail(viscous_time, history_fading(slip.norm() * diameter / diffusion, viscous_time));
+}
+
 } // namespace
 
 core::Vec3 GrainExchange::history(const core::ParticleSet& grains, int g, double dt) const
 {
     const CouplingParameters& p = parameters_;
     const double diameter = 2.0 * grains.radius[std::size_t(g)];
-    const HistoryTail tail(diameter * diameter * p.fluid_density / p.viscosity);
+    const HistoryTail tail = tail_of(p, diameter, column(grains, columns_.velocity_first, g) - grains.velocity_of(g));
     const double last = grains.columns[std::size_t(columns_.history + 3 * component_columns)][std::size_t(g)];
     core::Vec3 past;
     for (int a = 0; a < 3; ++a) past[a] = history_of(memory_of(grains, columns_.history + a * component_columns, g), tail, dt, last);
@@ -42,11 +49,10 @@ core::Vec3 GrainExchange::history(const core::ParticleSet& grains, int g, double
 
 void GrainExchange::remember(core::ParticleSet& grains, int g, double dt) const
 {
-    const double diameter = 2.0 * grains.radius[std::size_t(g)];
-    const HistoryTail tail(diameter * diameter * parameters_.fluid_density / parameters_.viscosity);
+    const core::Vec3 before = column(grains, columns_.velocity_before, g);
+    const HistoryTail tail = tail_of(parameters_, 2.0 * grains.radius[std::size_t(g)], column(grains, columns_.velocity_first, g) - before);
     double& last = grains.columns[std::size_t(columns_.history + 3 * component_columns)][std::size_t(g)];
-    const core::Vec3 relative =
-        (grains.velocity_of(g) - column(grains, columns_.velocity_before, g)) / dt - column(grains, columns_.told, g);
+    const core::Vec3 relative = (grains.velocity_of(g) - before) / dt - column(grains, columns_.told, g);
     for (int a = 0; a < 3; ++a) {
         const int first = columns_.history + a * component_columns;
         const HistoryMemory after = remembered(memory_of(grains, first, g), tail, relative[a], dt, last);

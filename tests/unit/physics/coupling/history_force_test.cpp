@@ -54,6 +54,27 @@ TEST_CASE("the tail of the history kernel is 1 / sqrt t to 0.4 % where it is sai
     }
 }
 
+TEST_CASE("where the slip carries vorticity away memory fades with the integral of Mei and Adrian's kernel")
+{
+    // Their kernel over Basset's, as printed: a the radius, U the slip; d = 1, nu = 1. In x with t = x^4 both are smooth at 0.
+    for (const double reynolds : {0.3, 1.5, 30.0, 500.0}) {
+        const double fH = 0.75 + 0.105 * reynolds, a = 0.5, pi = std::acos(-1.0);
+        const double rate = physics::history_fading(reynolds, 1.0), end = 60.0 / std::pow(rate, 0.25);
+        double theirs = 0, ours = 0;
+        constexpr int parts = 400000;
+        for (int n = 0; n < parts; ++n) {
+            const double x = end * (n + 0.5) / parts, t = x * x * x * x, dt = 4 * x * x * x * end / parts;
+            const double creeping = std::pow(pi * t / (a * a), 0.25);
+            const double carried = std::sqrt(0.5 * pi * std::pow(reynolds, 3) / (a * std::pow(fH, 3)) * t * t);
+            theirs += dt / std::pow(creeping + carried, 2);
+            ours += dt * std::exp(-rate * t) * a / std::sqrt(pi * t);
+        }
+        CAPTURE(reynolds);
+        CHECK(ours == test::relative(theirs).epsilon(1e-4)); // what is left beyond the end goes as 1 / t
+    }
+    CHECK(physics::history_fading(0.0, 1.0) == 0.0);
+}
+
 TEST_CASE("the history of constant acceleration grows as 2 sqrt t, whatever the steps")
 {
     const physics::HistoryTail tail(1.0);

@@ -3,6 +3,7 @@
 #include "physics/fluid/diffusion.hpp"
 #include "physics/fluid/cell_loops.hpp"
 #include "physics/fluid/sub_face_flux.hpp"
+#include "physics/fluid/wall_profile.hpp"
 
 namespace physics {
 
@@ -39,6 +40,7 @@ void two_point_inflow(const core::BlockGeometry& geometry, const BlockWalls& wal
             inflow[cell] += core::is_high(side) ? -half : half;
         });
     }
+    add_bend(geometry, walls, q, inflow);
 }
 
 } // namespace
@@ -49,6 +51,7 @@ void diffusive_inflow(const core::BlockGeometry& geometry, const BlockWalls& wal
     if (geometry.is_straight() && !factors) return two_point_inflow(geometry, walls, q, out.inflow);
     gradient_flux(geometry, q, gradients, out.flux);
     wall_gradient_flux(geometry, walls, q, out.flux);
+    if (!factors) add_bend(geometry, walls, q, out.flux);
     scale_flux(geometry, factors, out.flux);
     net_outflow(out.flux, out.inflow);
 }

@@ -69,7 +69,7 @@ KrylovProcess flexible_cg(const core::Team& team, KrylovWorkspace& work, const K
             });
             co_yield sum;
             const double rho = sums.total(0), beta = -alpha * sums.total(1) / last_rho;
-            core::require<core::NumericsError>(rho > 0.0, core::text(convergence.where(), "the preconditioner is not positive"));
+            convergence.require(rho > 0.0, "the preconditioner is not positive");
             const double mean = options.singular ? sums.total(2) / double(work.all_cells) : 0.0;
             detail::for_cells(team, *work.layout, [p = p.data(), z = z.data(), beta, mean, first = alpha == 0.0](Flat c) {
                 p[c] = (z[c] - mean) + (first ? 0.0 : beta * p[c]);
@@ -77,7 +77,7 @@ KrylovProcess flexible_cg(const core::Team& team, KrylovWorkspace& work, const K
             co_yield KrylovDemand{Kind::apply, p, q};
             sums.form(team, [p = p.data(), q = q.data()](Flat b, Flat e) { return std::array{dot(b, e, p, q)}; });
             co_yield sum;
-            core::require<core::NumericsError>(sums.total(0) > 0.0, core::text(convergence.where(), "the operator is not positive"));
+            convergence.require(sums.total(0) > 0.0, "the operator is not positive");
             alpha = rho / sums.total(0);
             last_rho = rho;
             step(team, work, w, alpha, x);

@@ -33,11 +33,16 @@ public:
     [[nodiscard]] bool reached(double norm)
     {
         report_.residuals.push_back(norm);
-        core::require<core::NumericsError>(std::isfinite(norm), core::text(where(), "the residual is not finite"));
+        require(std::isfinite(norm), "the residual is not finite");
         if (norm <= target()) return true;
-        core::require<core::NumericsError>(report_.iterations < options_.most_iterations,
-                                           core::text(where(), "no convergence; wanted ", target()));
+        if (report_.iterations >= options_.most_iterations)
+            throw core::NumericsError(core::text(where(), "no convergence; wanted ", target()));
         return false;
+    }
+    /// @throws NumericsError that says where the solver is; only then the message is written, which takes longer than small systems.
+    void require(bool condition, const char* otherwise) const
+    {
+        if (!condition) throw core::NumericsError(where() + otherwise);
     }
     /// The recursion says converged, the solution says `norm`: below this nothing can be gained in 64 bits.
     [[nodiscard]] bool at_round_off(double norm) const { return norm <= 1e-12 * report_.right_norm; }
@@ -79,9 +84,9 @@ inline void accept_right(const core::Team& team, const KrylovWorkspace& work, co
     report.right_norm = std::sqrt(work.sums.total(2));
     if (!options.singular) return;
     report.defect = magnitude > 0.0 ? std::abs(net) / magnitude : 0.0;
-    core::require<core::NumericsError>(report.defect <= options.largest_defect || report.right_norm <= options.absolute,
-                                       core::text("solver of ", options.unknown, ": closed domain with a net source of ", net,
-                                                  " against magnitudes of ", magnitude, ": the sum over all cells must vanish"));
+    if (!(report.defect <= options.largest_defect || report.right_norm <= options.absolute))
+        throw core::NumericsError(core::text("solver of ", options.unknown, ": closed domain with a net source of ", net,
+                                             " against magnitudes of ", magnitude, ": the sum over all cells must vanish"));
     for_cells(team, *work.layout, [b = right.data(), mean = net / double(work.all_cells)](Flat c) { b[c] -= mean; });
 }
 

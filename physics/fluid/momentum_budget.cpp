@@ -3,7 +3,7 @@
 #include "physics/fluid/momentum_budget.hpp"
 #include "physics/fluid/boundary_halo.hpp"
 #include "physics/fluid/cell_loops.hpp"
-#include "physics/fluid/face_flux.hpp"
+#include "physics/fluid/wall_profile.hpp"
 
 namespace physics {
 namespace {
@@ -38,6 +38,12 @@ core::Vec3 wall_friction(const core::BlockGeometry& geometry, const BlockWalls& 
         const double transmissibility = geometry.face[std::size_t(core::axis_of(side))].transmissibility.view()[face];
         const double factor = factors ? factors->along(core::axis_of(side))[face] : 1.0;
         sum += 0.5 * factor * transmissibility * (mirrored(walls.at(side), c, u) - u);
+    });
+    if (factors) return sum;
+    for_each_wall_profile(geometry, walls, [&](core::Side side, const WallProfile& p) {
+        const core::Index3 c = p.cell;
+        const core::Vec3 u(velocity.x[c], velocity.y[c], velocity.z[c]), from_boundary = 0.5 * (u - mirrored(walls.at(side), c, u));
+        for (int n = 0; n < 3; ++n) sum[n] += p.inflow(from_boundary[n], velocity.component(n)[p.inner] - u[n]);
     });
     return sum;
 }

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 // FluidStep: the viscous acceleration of a velocity that is known, with the gradients it follows from.
-#include "physics/fluid/diffusion.hpp"
-#include "physics/fluid/gradient.hpp"
 #include "physics/fluid/transposed_stress.hpp"
+#include "physics/fluid/wall_profile.hpp"
 #include "physics/steps/fluid_step.hpp"
 
 namespace physics {
@@ -13,7 +12,8 @@ using tasks::beside, tasks::reads, tasks::writes;
 
 void FluidStep::velocity_gradients(LocalBlock b, Vectors u, const core::TensorView<double>& out) const
 {
-    for (int c = 0; c < 3; ++c) gradient(geometry(b), geometry(b).wall_gradient, u.component(c), out[std::size_t(c)]);
+    const FaceFactors factors = std::as_const(fields_).viscosity_ratio.on(b);
+    for (int c = 0; c < 3; ++c) velocity_gradient(geometry(b), walls_of(b), factors, u.component(c), out[std::size_t(c)]);
 }
 
 void FluidStep::viscous_acceleration(LocalBlock b, Vectors u, const Gradients& gradients, FaceView<double> scratch,

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "physics/steps/joined_components.hpp"
 #include "physics/fluid/cell_loops.hpp"
-#include "physics/fluid/gradient.hpp"
+#include "physics/fluid/wall_profile.hpp"
 #include "physics/steps/krylov_job.hpp"
 
 #include <cmath>
@@ -59,9 +59,10 @@ tasks::Job JoinedComponents::apply(tasks::Lane& lane, std::span<const double> in
     co_await context_.halos.fill(lane, &value_, core::beside);
     for_blocks(lane, [&](core::LocalBlock b) {
         const auto& geometry = context_.mesh.geometry(b);
-        mirror_velocity_change(context_.walls[std::size_t(b)], value_.on(b));
+        const auto& walls = context_.walls[std::size_t(b)];
+        mirror_velocity_change(walls, value_.on(b));
         for (int c = 0; c < 3 && !context_.is_straight; ++c)
-            gradient(geometry, geometry.wall_gradient, value_.on(b).component(c), gradient_.on(b)[std::size_t(c)]);
+            velocity_gradient(geometry, walls, context_.viscosity_factors(b), value_.on(b).component(c), gradient_.on(b)[std::size_t(c)]);
     });
     if (!context_.is_straight) co_await context_.halos.fill(lane, &gradient_, core::beside);
     for_blocks(lane, [&](core::LocalBlock b) {

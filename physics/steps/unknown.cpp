@@ -4,6 +4,7 @@
 #include "physics/fluid/cell_loops.hpp"
 #include "physics/fluid/face_flux.hpp"
 #include "physics/fluid/gradient.hpp"
+#include "physics/fluid/wall_profile.hpp"
 
 #include <utility>
 
@@ -35,9 +36,9 @@ tasks::Job Unknown::form_fluxes(tasks::Lane& lane, std::optional<int> component,
         const auto& walls = context_.walls[std::size_t(b)];
         if (component) mirror_velocity_change(walls, *component, value.on(b));
         else mirror_pressure_change(walls, 1, value.on(b));
-        if (!context_.is_straight)
-            physics::gradient(geometry, component ? geometry.wall_gradient : pressure_matrices(geometry, walls), value.on(b),
-                              gradient.on(b));
+        if (context_.is_straight) return;
+        if (component) velocity_gradient(geometry, walls, context_.viscosity_factors(b), value.on(b), gradient.on(b));
+        else physics::gradient(geometry, pressure_matrices(geometry, walls), value.on(b), gradient.on(b));
     });
     if (!context_.is_straight) co_await context_.halos.fill(lane, &gradient, core::beside);
     for_blocks(lane, [&](core::LocalBlock b) {
@@ -45,8 +46,9 @@ tasks::Job Unknown::form_fluxes(tasks::Lane& lane, std::optional<int> component,
         const auto& walls = context_.walls[std::size_t(b)];
         const auto gradients = context_.is_straight ? core::VectorView<const double>{} : std::as_const(gradient).on(b);
         gradient_flux(geometry, value.on(b), gradients, flux.on(b));
-        if (component) wall_gradient_flux(geometry, walls, value.on(b), flux.on(b));
-        else pressure_wall_flux(geometry, walls, value.on(b), flux.on(b));
+        if (!component) return pressure_wall_flux(geometry, walls, value.on(b), flux.on(b));
+        wall_gradient_flux(geometry, walls, value.on(b), flux.on(b));
+        if (!context_.viscosity_factors(b)) add_bend(geometry, walls, value.on(b), flux.on(b));
     });
 }
 

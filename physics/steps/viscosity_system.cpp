@@ -4,9 +4,8 @@
 #include "core/base/error.hpp"
 #include "physics/fluid/boundary_halo.hpp"
 #include "physics/fluid/cell_loops.hpp"
-#include "physics/fluid/diffusion.hpp"
-#include "physics/fluid/gradient.hpp"
 #include "physics/fluid/viscous_residual.hpp"
+#include "physics/fluid/wall_profile.hpp"
 #include "physics/steps/krylov_job.hpp"
 #include "physics/steps/largest_rate.hpp"
 
@@ -115,10 +114,11 @@ tasks::Job ViscositySystem::form_residual(tasks::Lane& lane, const core::VectorF
     co_await context_.halos.fill(lane, &velocity, core::beside);
     unknown_.for_blocks(lane, [&](core::LocalBlock b) {
         const auto& geometry = context_.mesh.geometry(b);
+        const auto& walls = context_.walls[std::size_t(b)];
         const auto u = velocity.on(b);
-        mirror_velocity(context_.walls[std::size_t(b)], 1, u);
+        mirror_velocity(walls, 1, u);
         for (int c = 0; c < 3 && !context_.is_straight; ++c)
-            gradient(geometry, geometry.wall_gradient, u.component(c), gradient_.on(b)[std::size_t(c)]);
+            velocity_gradient(geometry, walls, context_.viscosity_factors(b), u.component(c), gradient_.on(b)[std::size_t(c)]);
     });
     if (!context_.is_straight) co_await context_.halos.fill(lane, &gradient_, core::beside);
     std::fill(sums_.begin(), sums_.end(), 0.0);

@@ -182,7 +182,7 @@ const tasks::Plan& World::compile()
 {
     if (coupling_) plan_mode();
     declare();
-    plan_.emplace(graph_.compile({"budget"}));
+    plan_.emplace(graph_.compile());
     if (coupling_ && planned_mode_ != physics::Mode::iterated) add_mode(physics::Mode::iterated);
     initialise();
     return *plan_;

@@ -65,7 +65,7 @@ World::OtherMode& World::add_mode(physics::Mode mode)
     other.graph.fill_halos_with(halos_);
     coupling_->declare(other.graph, mode);
     if (scalars_) scalars_->declare(other.graph);
-    other.plan.emplace(other.graph.compile({"budget"}));
+    other.plan.emplace(other.graph.compile());
     return other;
 }
 

@@ -25,9 +25,11 @@ physics::TransportRates World::transport_rates(const core::Vec3& pull) const
     const core::Vec3 start = starts ? core::Vec3(std::abs(fluid_->flow_control()->bulk_velocity(time())) *
                                                  physics::drive_direction(fluid_->parameters().drive).cwiseAbs())
                                     : core::Vec3(core::Vec3::Zero());
+    const bool by_outflow = fluid_->by_finite_volumes() && pull.isZero(); // no other rate is asked for
     physics::TransportRates rates;
     for (core::LocalBlock b = 0; b < mesh_.own_count(); ++b) {
-        physics::TransportRates here = physics::transport_rates(mesh_.geometry(b), fluid_->state().velocity.on(b), pull);
+        physics::TransportRates here;
+        if (!by_outflow) here = physics::transport_rates(mesh_.geometry(b), fluid_->state().velocity.on(b), pull);
         if (fluid_->by_finite_volumes())
             here.outflow = coupling_ ? coupling_->outflow_rate(b)
                                      : physics::largest_outflow_rate(mesh_.geometry(b), std::as_const(fluid_->state()).flux.on(b));

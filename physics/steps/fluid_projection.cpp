@@ -138,6 +138,9 @@ void FluidStep::declare_correction(tasks::StageGraph& graph)
                 psi, outflow, geometry(b).volume.view());
         },
         reads(f.psi, f.removed_outflow, clock_), updates(state_.pressure));
+    graph.sink(state_.velocity);
+    graph.sink(state_.pressure);
+    graph.sink(state_.flux);
 }
 
 void FluidStep::declare_budget(tasks::StageGraph& graph)

@@ -148,15 +148,16 @@ void FluidStep::declare_predictor(tasks::StageGraph& graph)
 
 void FluidStep::declare_boundaries(tasks::StageGraph& graph)
 {
+    const int layers = by_finite_volumes() ? 1 : 3; // stencils from departure points are wider
     if (full_walls_.empty()) {
         graph.boundary(state_.velocity, "walls of velocity",
-                       [this](LocalBlock b, VectorView<double> u) { mirror_velocity(walls_of(b), 3, u); });
+                       [this, layers](LocalBlock b, VectorView<double> u) { mirror_velocity(walls_of(b), layers, u); });
     } else {
         graph.whole(
             "start of step", [](tasks::Lane&, Moment& moment) { moment = Moment::start; }, writes(moment_));
         graph.boundary(
             state_.velocity, "walls of velocity at its time",
-            [this](LocalBlock b, VectorView<double> u, const Moment& moment) { mirror_velocity(walls_at(moment, b), 3, u); },
+            [this, layers](LocalBlock b, VectorView<double> u, const Moment& moment) { mirror_velocity(walls_at(moment, b), layers, u); },
             reads(moment_));
     }
     graph.boundary(state_.velocity_before, "walls of velocity before",

@@ -128,17 +128,20 @@ def ways(long):
 
 
 class Runner:
-    def __init__(self, isago, folder):
-        self.isago, self.folder, self.count = isago, pathlib.Path(folder), 0
+    def __init__(self, isago, folder, timeout=1800):
+        self.isago, self.folder, self.timeout, self.count = isago, pathlib.Path(folder), timeout, 0
 
     def isago_run(self, case, way, folder, *words):
         command = [self.isago, "run", self.scene(case), "-o", str(folder), "--ranks", str(way.ranks), "--threads", str(way.threads),
                    "--executor", way.executor, *words]
         for setting in case.settings:
             command += ["--set", setting]
-        done = subprocess.run(command, capture_output=True, text=True, timeout=1800)
+        done = subprocess.run(command, capture_output=True, text=True, timeout=self.timeout)
         if done.returncode != 0:
             raise RuntimeError(f"exit code {done.returncode} of {' '.join(command)}\n{done.stdout[-1000:]}{done.stderr[-2000:]}")
+
+    def last_folder(self):
+        return self.folder / str(self.count)
 
     def scene(self, case):
         if "\n" not in case.scene:
@@ -149,7 +152,7 @@ class Runner:
 
     def digest(self, case, way):
         self.count += 1
-        folder = self.folder / str(self.count)
+        folder = self.last_folder()
         if way.then is None:
             self.isago_run(case, way, folder, "--until", f"{case.end} ms")
         else:

@@ -15,11 +15,22 @@ namespace {
 struct Arguments {
     std::vector<std::string> names;
     std::string folder = "tests/stress/cases";
+    bool list = false;
 };
+
+void print_list(const std::vector<StressCase>& cases)
+{
+    for (const StressCase& stress : cases)
+        fmt::print("{:34} {:18} {} to run\n", stress.name, stress.source, std::max<std::size_t>(1, stress.variants.size()));
+}
 
 int run(const Arguments& a, Invocation invocation)
 {
     const auto cases = read_stress_cases(a.folder, a.names);
+    if (a.list) {
+        print_list(cases);
+        return exit_success;
+    }
     const core::MpiSession session(invocation.argc, invocation.argv);
     int failed = 0;
     for (const StressCase& stress : cases) {
@@ -42,6 +53,7 @@ Command stress_command()
     return {"stress",
             "Run the stiff and extreme cases and judge them",
             {{"names", "Cases to run; all by default", &a->names},
+             {"--list", "Only say which cases there are, and what they are from", &a->list},
              {"--cases", "Folder of the cases; tests/stress/cases by default", &a->folder}},
             [a](const Invocation& invocation) { return run(*a, invocation); }};
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
-// Steps up to the limit that the solver names keep a dense packing calm, for any damping and any law.
+// Steps up to the limit that the solver names keep a dense packing calm, for any damping and any law (NUMERICS D 39).
 #include "tests/support/impact.hpp"
 #include <doctest/doctest.h>
 

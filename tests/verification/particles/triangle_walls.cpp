@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
-// Balls on walls of triangles, at rest and moving, against exact statics, exact motion and analytic walls.
+// Balls on walls of triangles, at rest and moving, against exact statics, exact motion and analytic walls (NUMERICS D 44).
 #include "tests/support/relative.hpp"
 #include "tests/support/rolling_ball.hpp"
 #include "tests/support/triangles.hpp"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
-// Balls on walls of faces: pipes, corners, edges and joints against exact statics and motion.
+// Balls on walls of faces: pipes, corners, edges and joints against exact statics and motion (NUMERICS D 44, 45).
 #include "core/base/error.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/rolling_ball.hpp"

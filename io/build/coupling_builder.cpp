@@ -4,6 +4,8 @@
 #include "io/build/physics_builder.hpp"
 #include "physics/coupling/added_mass.hpp"
 
+#include <numbers>
+
 namespace io {
 namespace {
 
@@ -34,6 +36,12 @@ bool stands_alone(const Scene& scene, const GrainCensus& census)
 {
     constexpr double few = 1e-3;
     return census.volume < few * (scene.grid.high() - scene.grid.low()).prod();
+}
+
+/// [m]
+double length_of(const Width& width, const GrainCensus& census)
+{
+    return width.in_diameters ? width.value * census.mean_diameter() : width.value;
 }
 
 bool fits_resolved_flow(physics::DragLaw law)
@@ -68,8 +76,16 @@ physics::CouplingParameters coupling_parameters(const Scene& scene, const GrainC
     p.history = wanted(coupling.history, false);
     p.own_disturbance = !one_way && wanted(coupling.own_disturbance, stands_alone(scene, census));
     p.torque = wanted(coupling.torque, true);
-    p.filter_width = coupling.filter.in_diameters ? coupling.filter.value * census.mean_diameter() : coupling.filter.value;
+    p.filter_width = length_of(coupling.filter, census);
     return p;
+}
+
+physics::LubricationFilm lubrication_film(const Scene& scene, const GrainCensus& census)
+{
+    if (!scene.coupling || !scene.coupling->lubrication || !scene.fluid) return {};
+    const double viscosity = scene.fluid->material.viscosity * scene.fluid->material.density;
+    const Lubrication& keys = *scene.coupling->lubrication;
+    return {6 * std::numbers::pi * viscosity, length_of(keys.roughness, census), length_of(keys.range, census)};
 }
 
 bool is_one_way(const Scene& scene) { return scene.coupling && scene.coupling->feedback == Feedback::one_way; }

@@ -5,11 +5,15 @@
 #include "io/build/grain_census.hpp"
 #include "io/scene/scene.hpp"
 #include "physics/coupling/parameters.hpp"
+#include "physics/particles/parameters.hpp"
 
 namespace io {
 
 /// @pre scene.fluid and particles
 [[nodiscard]] physics::CouplingParameters coupling_parameters(const Scene& scene, const GrainCensus& census);
+
+/// The films that a scene asks for; none without.
+[[nodiscard]] physics::LubricationFilm lubrication_film(const Scene& scene, const GrainCensus& census);
 
 /// Does the fluid of a scene not feel its particles?
 [[nodiscard]] bool is_one_way(const Scene& scene);

@@ -3,6 +3,7 @@
 #include "io/run/world_grains.hpp"
 #include "core/base/error.hpp"
 #include "io/build/contact_builder.hpp"
+#include "io/build/coupling_builder.hpp"
 #include "io/build/grid_builder.hpp"
 #include "io/build/physics_builder.hpp"
 #include "io/run/world_walls.hpp"
@@ -43,7 +44,8 @@ double sub_step(const Scene& scene, const GrainCensus& census, const physics::Pa
 
 physics::ParticleDynamics make_dynamics(const Scene& scene, const GrainCensus& census, const core::Mesh& mesh)
 {
-    const physics::ParticleParameters parameters = particle_parameters(scene);
+    physics::ParticleParameters parameters = particle_parameters(scene);
+    parameters.film = lubrication_film(scene, census);
     const core::Domain domain = make_domain(scene.grid);
     const double step = sub_step(scene, census, parameters);
     require_slow_walls(scene.walls, census.smallest, domain, step);

@@ -17,6 +17,12 @@ MagnusLaw Coupling::chosen_magnus() const
     return preset == CouplingPreset::seed ? MagnusLaw::seed : MagnusLaw::lun_liu;
 }
 
+void describe(Schema& s, Lubrication& p)
+{
+    s.value("roughness", p.roughness, "", "Gap below which the film resists no more: the height of what is rough", positive);
+    s.value("range", p.range, "", "Gap from which on there is a film", positive);
+}
+
 void describe(Schema& s, Coupling& p)
 {
     s.value(
@@ -62,6 +68,10 @@ void describe(Schema& s, Coupling& p)
         "own_disturbance",
         "Takes off what a particle itself adds to the filtered fluid it samples; auto: where particles fill less than 0.1 % of the domain",
         choice_of(p.own_disturbance, switch_words));
+    s.group(
+        "lubrication", p.lubrication,
+        "Films of fluid between particles, and at walls, that resist approach and parting, 6 pi mu R^2 v / gap; sub-steps follow from the "
+        "roughness and the viscosity");
 }
 
 } // namespace io

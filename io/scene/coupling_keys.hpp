@@ -35,6 +35,12 @@ inline constexpr std::array<std::string_view, 4> added_mass_words{"auto", "on", 
 enum class Feedback { two_way, one_way };
 inline constexpr std::array<std::string_view, 2> feedback_words{"two_way", "one_way"};
 
+/// Films of fluid between surfaces that are near.
+struct Lubrication {
+    Width roughness{0.001, true}, range{0.1, true};
+    bool operator==(const Lubrication&) const = default;
+};
+
 struct Coupling {
     Feedback feedback = Feedback::two_way;
     CouplingMode mode = CouplingMode::automatic;
@@ -45,12 +51,14 @@ struct Coupling {
     AddedMass added_mass = AddedMass::automatic;
     Switch size_mixture = Switch::automatic, lift = Switch::automatic, shear_lift = Switch::automatic, torque = Switch::automatic,
            history = Switch::automatic, own_disturbance = Switch::automatic;
+    std::optional<Lubrication> lubrication;
     bool operator==(const Coupling&) const = default;
 
     [[nodiscard]] DragLaw chosen_drag() const;
     [[nodiscard]] MagnusLaw chosen_magnus() const;
 };
 
+void describe(Schema& s, Lubrication& p);
 void describe(Schema& s, Coupling& p);
 
 } // namespace io

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The energy of one contact: what its springs hold, what slip and yielding took in the last step, and which forces damp.
-#include "physics/particles/contact_general.hpp"
+#include "physics/particles/lubrication.hpp"
 
 namespace physics {
 
@@ -97,6 +97,12 @@ template <class Law, class Output>
     book.fz = out.fz - fn * c.nz + spring_z - damping * c.nz;
     book.turning = book.mx = book.my = book.mz = 0.0;
     if constexpr (Law::resists_turning) book_turning(law, c, out, vn, book);
+    if constexpr (std::is_same_v<Law, LubricatedContact>) {
+        const double push = law.film_force(c);
+        book.fx -= push * c.nx;
+        book.fy -= push * c.ny;
+        book.fz -= push * c.nz;
+    }
     return book;
 }
 

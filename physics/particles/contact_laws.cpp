@@ -22,7 +22,14 @@ void check_friction(const ContactParameters& p)
 
 bool is_plain(const ContactParameters& p) { return p.rolling_friction == 0 && p.twisting_friction == 0 && p.cohesion == 0; }
 
-ContactLaws laws_of(const std::vector<ContactParameters>& entries, int wanted, double step)
+void check_film(const LubricationFilm& film)
+{
+    require<ConfigError>(film.roughness > 0 && film.range > film.roughness,
+                         text("the roughness of a film of lubrication, ", film.roughness,
+                              " m, must be more than 0 and less than its range, ", film.range, " m"));
+}
+
+ContactLaws laws_of(const std::vector<ContactParameters>& entries, int wanted, const LubricationFilm& film, double step)
 {
     const int count = int(entries.size());
     require<ConfigError>(count == 1 || count == wanted,
@@ -35,6 +42,10 @@ ContactLaws laws_of(const std::vector<ContactParameters>& entries, int wanted, d
         for (const auto& entry : entries) laws.push_back(make(entry, step));
         return ContactLaws(std::move(laws));
     };
+    if (film.acts()) {
+        check_film(film);
+        return made([&](const ContactParameters& p, double h) { return LubricatedContact{general_contact(p, h), film}; });
+    }
     if (all(ContactModel::linear)) return made(linear_contact);
     if (all(ContactModel::hertz)) return made(hertz_contact);
     return made(general_contact);
@@ -106,9 +117,12 @@ GeneralContact general_contact(const ContactParameters& p, double step)
 
 ContactLaws pair_laws(const ParticleParameters& parameters, double step)
 {
-    return laws_of(parameters.pairs, parameters.species * parameters.species, step);
+    return laws_of(parameters.pairs, parameters.species * parameters.species, parameters.film, step);
 }
 
-ContactLaws wall_laws(const ParticleParameters& parameters, double step) { return laws_of(parameters.walls, parameters.species, step); }
+ContactLaws wall_laws(const ParticleParameters& parameters, double step)
+{
+    return laws_of(parameters.walls, parameters.species, parameters.film, step);
+}
 
 } // namespace physics

@@ -3,15 +3,16 @@
 #pragma once
 // The contact laws of a scene: the plainest kind that serves all its materials, chosen once.
 #include "core/particles/particle_set.hpp"
-#include "physics/particles/contact_general.hpp"
+#include "physics/particles/lubrication.hpp"
 
 #include <variant>
 
 namespace physics {
 
 /// The laws of all pairs of species, or of all species with walls; one entry serves all. The kind is the same for all entries, so that
-/// a loop over contacts is compiled for it: linear springs, Hertz' springs, or whatever else a scene mixes.
-using ContactLaws = std::variant<std::vector<LinearContact>, std::vector<HertzContact>, std::vector<GeneralContact>>;
+/// a loop over contacts is compiled for it: linear springs, Hertz' springs, whatever else a scene mixes, or that with a film before it.
+using ContactLaws =
+    std::variant<std::vector<LinearContact>, std::vector<HertzContact>, std::vector<GeneralContact>, std::vector<LubricatedContact>>;
 
 /// The laws of `parameters.pairs`, species x species. @throws core::ConfigError for a wrong number of entries or values out of range.
 [[nodiscard]] ContactLaws pair_laws(const ParticleParameters& parameters, double step);
@@ -19,7 +20,10 @@ using ContactLaws = std::variant<std::vector<LinearContact>, std::vector<HertzCo
 [[nodiscard]] ContactLaws wall_laws(const ParticleParameters& parameters, double step);
 
 /// True where contacts hold rolling and twist: they need core::rolling_memory, and act with torques of their own.
-[[nodiscard]] inline bool resist_turning(const ContactLaws& laws) { return std::holds_alternative<std::vector<GeneralContact>>(laws); }
+[[nodiscard]] inline bool resist_turning(const ContactLaws& laws)
+{
+    return std::visit([]<class Law>(const std::vector<Law>&) { return Law::resists_turning; }, laws);
+}
 /// For each of `count` pairs of species, or species, the number of the first law that is equal to its own: what has one number runs in
 /// one loop.
 [[nodiscard]] std::vector<int> kinds_of(const ContactLaws& laws, int count);

@@ -41,7 +41,7 @@ void measure_contacts(core::ParticleSet& particles, const core::PairList& pairs,
                 stress[a] -= arm[int(a)] * on_first[int(a)];
                 stress[3 + a] -= yz_zx_xy[int(a)];
             }
-            ++contacts;
+            contacts += int(contact.lever(side) <= particles.radius[i]); // beyond it a film acts
         }
         particles.columns[std::size_t(columns.coordination)][i] = contacts;
         for (std::size_t n = 0; n < components; ++n) particles.columns[std::size_t(columns.stress) + n][i] = stress[n];

@@ -152,14 +152,14 @@ void ParticleDynamics::sort(const core::Bounds& bounds, const core::Octaves& gre
 {
     const double radius = small_radius(greatest, count);
     set_reach(radius);
-    const core::Vec3 around = core::Vec3::Constant(*std::max_element(greatest.begin(), greatest.end()) + skin_);
+    const core::Vec3 around = core::Vec3::Constant(*std::max_element(greatest.begin(), greatest.end()) + reach(skin_));
     extent_ = {bounds.low - around, bounds.high + around};
     const auto smallest = std::find_if(greatest.begin(), greatest.end(), [](double r) { return r > 0.0; });
     const auto all = std::int64_t(std::accumulate(count.begin(), count.end(), 0.0));
     const bool can_meet = all > 1 || !walls_.empty() || !surfaces_.empty();
     least_radius_ = smallest == greatest.end() || !can_meet ? std::numeric_limits<double>::infinity() : *smallest;
     const core::SizeLevels sizes(greatest);
-    bins_ = core::make_level_bins(domain_, bounds, sizes, skin_, all);
+    bins_ = core::make_level_bins(domain_, bounds, sizes, reach(skin_), all);
     const auto order = core::order_by_bin(particles, bins_.lattice[std::size_t(sizes.level_of(radius))]);
     particles.reorder(order);
     history.reorder(order);
@@ -168,9 +168,9 @@ void ParticleDynamics::sort(const core::Bounds& bounds, const core::Octaves& gre
 void ParticleDynamics::build(const core::Team& team)
 {
     cells_.build(particles, bins_);
-    pairs_.build(particles, cells_, skin_, team);
-    walls_.build(particles, 0.5 * skin_, history); // half: what walls do themselves is in wall_way_
-    for (SurfaceContacts& surface : surfaces_) surface.build(particles, 0.5 * skin_, 0.5 * near_skin_, history);
+    pairs_.build(particles, cells_, reach(skin_), team);
+    walls_.build(particles, reach(0.5 * skin_), history); // half: what walls do themselves is in wall_way_
+    for (SurfaceContacts& surface : surfaces_) surface.build(particles, reach(0.5 * skin_), reach(0.5 * near_skin_), history);
     records_.resize(particles.size());
     records_.update(particles, 0, particles.size());
     for (std::size_t a = 0; a < 3; ++a)
@@ -183,7 +183,7 @@ void ParticleDynamics::build(const core::Team& team)
 
 void ParticleDynamics::refresh_near(const core::Team& team)
 {
-    const core::NearPairs::Choice choice{particles, pairs_, shifts_, near_skin_, slots_};
+    const core::NearPairs::Choice choice{particles, pairs_, shifts_, reach(near_skin_), slots_};
     if (near_built_) {
         walls_.return_springs();
         near_.refresh(choice, team);
@@ -191,7 +191,7 @@ void ParticleDynamics::refresh_near(const core::Team& team)
         near_.start(choice, history, team);
         history.release();
     }
-    walls_.refresh(particles, 0.5 * near_skin_, team);
+    walls_.refresh(particles, reach(0.5 * near_skin_), team);
     for (SurfaceContacts& surface : surfaces_) surface.refresh(particles, team);
     near_built_ = true;
     near_travelled_ = near_wall_way_ = 0.0;

@@ -95,6 +95,8 @@ public:
 
 private:
     void set_reach(double radius);
+    /// Gap at which two may act on each other when they have gone up to `skin` [m].
+    [[nodiscard]] double reach(double skin) const { return parameters_.film.range + skin; }
     void refresh_near(const core::Team& team);
     void plan_chunks(int threads);
     void sum_chunk(int segment, int chunk, ForceSums& sums, EnergySums* energy);

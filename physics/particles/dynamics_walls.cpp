@@ -14,7 +14,7 @@ constexpr auto index_of(int i) { return std::size_t(i); }
 
 void ParticleDynamics::add_surface(WallSurface surface, const WallMotion& motion, int report)
 {
-    surfaces_.emplace_back(std::move(surface), motion, int(surfaces_.size()), report);
+    surfaces_.emplace_back(std::move(surface), motion, int(surfaces_.size()), report, parameters_.film.range);
 }
 
 int ParticleDynamics::surface_at(const core::Vec3& centre, double radius) const

@@ -32,6 +32,15 @@ struct ContactParameters {
     bool operator==(const ContactParameters&) const = default;
 };
 
+/// The film of fluid between surfaces that approach or part (lubrication.hpp).
+struct LubricationFilm {
+    double factor = 0.0;    ///< 6 pi mu [Pa s]; 0: no film.
+    double roughness = 0.0; ///< Gap below which the film resists no more [m].
+    double range = 0.0;     ///< Gap from which on there is a film [m].
+    bool operator==(const LubricationFilm&) const = default;
+    [[nodiscard]] bool acts() const { return factor > 0.0; }
+};
+
 /// Whether the energy of contacts is booked.
 enum class Budget { none, kept };
 
@@ -41,6 +50,7 @@ struct ParticleParameters {
     std::vector<ContactParameters> pairs{ContactParameters{}};
     /// One for each species, or one for all.
     std::vector<ContactParameters> walls{ContactParameters{}};
+    LubricationFilm film;                    ///< One for all.
     core::Vec3 gravity = core::Vec3::Zero(); ///< [m/s2]
     double time_step = 0.0;                  ///< [s]; 0: a share of the contact time, see time_step.hpp.
     double skin = 0.0;                       ///< Reach of the pair lists beyond touching [m]; 0: chosen from the radii.

@@ -163,7 +163,7 @@ void SurfaceContacts::add_near_touches(const Vec3& centre, double radius, int be
             if (!surface_.meet_rim(triangle, foot, centre, touch.hit)) continue;
             touch.before = (touch.before + touch.hit.normal - face).normalized();
         }
-        if (std::abs(touch.hit.depth) >= radius) continue;
+        if (std::abs(touch.hit.depth) >= radius + reach_) continue;
         // a place of its own behind all that are not less deep
         auto place = touches.end();
         while (place != touches.begin() && touch.hit.depth < (place - 1)->hit.depth) --place;
@@ -254,7 +254,7 @@ void SurfaceContacts::add_forces(const core::ParticleSet& p, const ContactLaws& 
         if (end == begin + 1 && chunk.plain[index_of(begin)]) { // most of them
             const Feet& feet = chunk.feet[index_of(begin / 4)];
             const int lane = begin % 4;
-            if (feet.inside[lane] >= -patch_overlap && std::abs(feet.now.depth[lane]) < radius) add(touch_of(feet, lane));
+            if (feet.inside[lane] >= -patch_overlap && std::abs(feet.now.depth[lane]) < radius + reach_) add(touch_of(feet, lane));
         } else {
             find_touches(own(p.position_of(i)), radius, begin, end, chunk);
             for (const Touch& t : chunk.touches) add(t);

@@ -12,8 +12,9 @@ class SurfaceContacts {
 public:
     SurfaceContacts() = default;
     /// @param number  Of the surface among all. @param report  Which of the loads its own is; none if negative.
-    SurfaceContacts(WallSurface surface, const WallMotion& motion, int number, int report)
-        : surface_(std::move(surface)), frame_(motion), number_(number), report_(report)
+    /// @param reach  Gap up to which there are forces [m].
+    SurfaceContacts(WallSurface surface, const WallMotion& motion, int number, int report, double reach)
+        : surface_(std::move(surface)), frame_(motion), number_(number), report_(report), reach_(reach)
     {
     }
 
@@ -107,7 +108,7 @@ private:
     WallSurface surface_; ///< In its own frame.
     WallFrame frame_;
     int number_ = 0, report_ = -1;
-    double near_skin_ = 0.0;
+    double reach_ = 0.0, near_skin_ = 0.0;
     std::vector<Chunk> chunks_;
 };
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "physics/particles/time_step.hpp"
 #include "core/base/error.hpp"
+#include "physics/particles/lubrication.hpp"
 #include "physics/particles/restitution.hpp"
 
 #include <algorithm>
@@ -70,8 +71,15 @@ StepLimits step_limits(const core::ParticleSet& particles, const ParticleParamet
     const auto entries = [&](const std::vector<ContactParameters>& all, std::int32_t species, std::size_t each) {
         return all.size() == 1 ? std::span(all) : std::span(all).subspan(std::size_t(species) * each, each);
     };
+    double greatest = 0.0;
+    for (std::size_t i = 0; i < std::size_t(particles.owned); ++i) greatest = std::max(greatest, particles.radius[i]);
     for (std::size_t i = 0; i < std::size_t(particles.owned); ++i) {
         const double mass = particles.mass[i], radius = particles.radius[i];
+        if (parameters.film.acts()) {
+            const double reduced = radius * greatest / (radius + greatest);
+            limits.stable = std::min(
+                {limits.stable, film_step(parameters.film, mass, reduced, dense_contacts), film_step(parameters.film, mass, radius, 1)});
+        }
         for (const auto& contact : entries(parameters.pairs, particles.species[i], std::size_t(parameters.species)))
             tighten(contact, {0.5 * mass, 0.5 * radius}, mass, dense_contacts);
         for (const auto& contact : entries(parameters.walls, particles.species[i], 1)) tighten(contact, {mass, radius}, mass, 1);

@@ -74,6 +74,8 @@ physics::CouplingParameters coupling_parameters(const Scene& scene, const GrainC
     p.lift = wanted(coupling.lift, light);
     p.shear_lift = wanted(coupling.shear_lift, false);
     p.history = wanted(coupling.history, false);
+    p.dispersion = wanted(coupling.dispersion, scene.fluid->is_turbulent());
+    p.random_seed = std::uint64_t(scene.run.random_seed);
     p.own_disturbance = !one_way && wanted(coupling.own_disturbance, stands_alone(scene, census));
     p.torque = wanted(coupling.torque, true);
     p.filter_width = length_of(coupling.filter, census);

@@ -100,6 +100,9 @@ private:
         check_bed_measures(particles);
         if (scene_.coupling && (!particles || !scene_.fluid))
             complain("coupling", "'coupling' needs both 'fluid' and 'particles'", "remove it, or add what is missing");
+        if (scene_.coupling && scene_.coupling->dispersion == Switch::on && scene_.fluid && !scene_.fluid->is_turbulent())
+            complain("coupling.dispersion", "'dispersion' needs a model of turbulence, whose fluctuations spread the particles",
+                     "add fluid.turbulence: { model: k-epsilon }, or remove it");
     }
 
     void check_bed_measures(bool particles)

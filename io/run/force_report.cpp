@@ -58,6 +58,8 @@ std::string force_report(const Scene& scene)
     text += line("history", p.history, "Basset",
                  fmt::format("below {} up to an angular frequency of {:.3g} 1/s; at Reynolds numbers above 100 it fades early", percent,
                              physics::frequency_of_history(e.diffusion)));
+    text += line("dispersion", p.dispersion, "random velocities of the modelled turbulence",
+                 scene.fluid->is_turbulent() ? "turbulence that is modelled does not spread particles" : "no turbulence is modelled");
     text += line("own disturbance", p.own_disturbance, "taken off what each particle samples",
                  fmt::format("a particle alone feels up to {:.2g} of its slip too little in creeping flow, none in a bed", e.disturbance));
     return text;

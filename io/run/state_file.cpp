@@ -56,6 +56,7 @@ std::vector<NamedColumns> columns_of(World& world)
         all.push_back({"drag coefficient", columns(at.drag, 1)});
         if (at.extra_force >= 0) all.push_back({"extra force", columns(at.extra_force, 3)});
         if (at.wake >= 0) all.push_back({"own wake", columns(at.wake, 3)});
+        if (at.fluctuation >= 0) all.push_back({"turbulence met", columns(at.fluctuation, 3)});
         if (at.history >= 0) all.push_back({"history of acceleration", columns(at.history, physics::history_columns)});
         all.push_back({"owed impulse", columns(at.owed, 3)});
         all.push_back({"told acceleration", columns(at.told, 3)});

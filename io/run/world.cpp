@@ -112,20 +112,20 @@ void World::make_company()
     if (scene_.fluid->is_turbulent()) turbulence_.emplace(mesh_, *fluid_, turbulence_parameters(scene_), coupling());
     if (!scene_.fluid->scalars.empty()) scalars_.emplace(mesh_, *fluid_, scalar_parameters(scene_), coupling(), ranks_);
     if (turbulence_ && one_way_) turbulence_->act_on_grains();
-    if (!coupling_) return;
-    coupling_->keep_company({[this](tasks::StageGraph& graph) { declare_company_before(graph); },
-                             [this](tasks::StageGraph& graph) { declare_turbulence(graph); }});
+    if (turbulence_ && exchange() && exchange()->disperses())
+        (one_way_ ? one_way_->views() : coupling_->views()).see_turbulence(turbulence_->k(), turbulence_->epsilon());
+    if (coupling_) coupling_->keep_company(company());
 }
 
-void World::declare_company_before(tasks::StageGraph& graph)
+physics::StepCompany World::company()
 {
-    if (turbulence_) turbulence_->declare_before(graph);
-    if (scalars_) scalars_->declare_before(graph);
-}
-
-void World::declare_turbulence(tasks::StageGraph& graph)
-{
-    if (turbulence_) turbulence_->declare(graph);
+    return {[this](tasks::StageGraph& graph) {
+                if (turbulence_) turbulence_->declare_before(graph);
+                if (scalars_) scalars_->declare_before(graph);
+            },
+            [this](tasks::StageGraph& graph) {
+                if (turbulence_) turbulence_->declare(graph);
+            }};
 }
 
 double World::settling_left() const { return grains_ ? std::max(0.0, std::ceil(scene_.run.settle / contact_step_) - settled_) : 0.0; }
@@ -158,13 +158,13 @@ void World::declare()
         coupling_->declare(graph_, planned_mode_);
         if (scalars_) scalars_->declare(graph_);
     } else if (one_way_) {
-        one_way_->declare(graph_, {[this](tasks::StageGraph& graph) { declare_company_before(graph); },
-                                   [this](tasks::StageGraph& graph) { declare_turbulence(graph); }});
+        one_way_->declare(graph_, company());
         if (scalars_) scalars_->declare(graph_);
     } else if (fluid_) {
-        declare_company_before(graph_);
+        const physics::StepCompany others = company();
+        others.before(graph_);
         fluid_->declare(graph_);
-        declare_turbulence(graph_);
+        others.after(graph_);
         if (scalars_) scalars_->declare(graph_);
     } else if (grains_) {
         dry_grains_.emplace("grains", *grains_);

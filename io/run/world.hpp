@@ -110,8 +110,7 @@ private:
     void make_grains();
     void make_coupling();
     void make_company();
-    void declare_company_before(tasks::StageGraph& graph);
-    void declare_turbulence(tasks::StageGraph& graph);
+    [[nodiscard]] physics::StepCompany company();
     void declare();
     [[nodiscard]] tasks::Layout layout() const;
     [[nodiscard]] physics::StabilityNumbers stability(double dt) const;

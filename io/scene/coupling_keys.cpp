@@ -64,6 +64,9 @@ void describe(Schema& s, Coupling& p)
             "History force (Basset), whose memory fades where the slip carries vorticity away (Mei and Adrian); auto: off, 'isago plan' "
             "estimates it",
             choice_of(p.history, switch_words));
+    s.value("dispersion",
+            "Spreading by turbulence that is modelled, as random velocities that particles meet; auto: where the fluid has such a model",
+            choice_of(p.dispersion, switch_words));
     s.value(
         "own_disturbance",
         "Takes off what a particle itself adds to the filtered fluid it samples; auto: where particles fill less than 0.1 % of the domain",

@@ -50,7 +50,7 @@ struct Coupling {
     std::optional<MagnusLaw> magnus; ///< Without it, the preset's.
     AddedMass added_mass = AddedMass::automatic;
     Switch size_mixture = Switch::automatic, lift = Switch::automatic, shear_lift = Switch::automatic, torque = Switch::automatic,
-           history = Switch::automatic, own_disturbance = Switch::automatic;
+           history = Switch::automatic, dispersion = Switch::automatic, own_disturbance = Switch::automatic;
     std::optional<Lubrication> lubrication;
     bool operator==(const Coupling&) const = default;
 

@@ -32,6 +32,14 @@ enum GrainView : std::size_t {
     grain_views = view_vorticity + 3
 };
 
+/// What grains sample of a model of turbulence.
+enum SeenOfTurbulence : std::size_t {
+    seen_deviation, ///< of each component of velocity; none at boundaries that nothing passes [m/s]
+    seen_rate,      ///< at which fluctuations are forgotten [1/s]
+    seen_growth,    ///< gradient of the deviation, three components [1/s]
+    seen_of_turbulence = seen_growth + 3
+};
+
 /// What grains sample when the fluid has answered: the views of the new state, and
 enum GrainNews : std::size_t {
     news_projection = state_views, ///< ru dG, filtered [m/s]
@@ -51,6 +59,7 @@ struct ExchangeFields {
           assumed({"sums over assumed grains", "", 1, false}, mesh.own_cells()),
           told({"told state", "", 1, false}, mesh.own_cells()),
           vorticity({"vorticity for grains", "1/s", 1, false}, mesh.own_cells()),
+          turbulence({"turbulence for grains", "", 1, false}, mesh.own_cells()),
           surface({"surface of grains", "1/m", 1, false}, mesh.own_cells()),
           news({"answer for grains", "", 1, false}, mesh.own_cells()),
           advected({"advected velocity u^a", "m/s", 0, false}, mesh.own_cells()),
@@ -72,6 +81,7 @@ struct ExchangeFields {
     core::FieldBatch<grain_sums> sums, assumed; ///< of the grains as they are, and as a fluid lane takes them that does not wait
     core::FieldBatch<told_views> told;          ///< filtered state that the grains are told
     core::FieldBatch<3> vorticity;
+    core::FieldBatch<seen_of_turbulence> turbulence;
     core::FieldBatch<1> surface; ///< put(V / d): C over the Sauter diameter of the grains around; of mixtures alone [1/m]
     core::FieldBatch<grain_news> news;
     core::VectorField advected; ///< u^a: advection and viscosity alone

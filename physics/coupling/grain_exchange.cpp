@@ -36,6 +36,8 @@ ExchangeColumns add_exchange_columns(core::ParticleSet& grains, const CouplingPa
     c.velocity_first = three();
     c.added_mass = grains.add_column();
     c.wake = parameters.own_disturbance ? three() : -1;
+    c.fluctuation = parameters.dispersion ? three() : -1;
+    c.fluctuation_met = parameters.dispersion ? three() : -1;
     c.history = parameters.history ? grains.add_column() : -1;
     for (int n = 1; parameters.history && n < history_columns; ++n) grains.add_column();
     return c;

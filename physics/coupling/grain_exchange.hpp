@@ -34,6 +34,8 @@ struct ExchangeColumns {
     int velocity_first;  ///< the same in the first pass, without the grain's own wake [m/s]
     int added_mass;      ///< one column [kg]
     int wake;            ///< what it adds to the velocity it samples (own_disturbance.hpp), carried [m/s]; -1 without
+    int fluctuation;     ///< turbulent velocity it meets over its standard deviation (dispersion.hpp), carried [-]; -1 without
+    int fluctuation_met; ///< mean of that velocity over the step [m/s]; -1 without
     int history;         ///< the first of history_columns, carried (history_force.hpp); -1 without
 };
 [[nodiscard]] ExchangeColumns add_exchange_columns(core::ParticleSet& grains, const CouplingParameters& parameters);
@@ -54,6 +56,12 @@ struct GrainStep {
     double sub_step;       ///< of the grains [s]
     double before = 0.0;   ///< length of the step before; 0 before the first [s]
     double delivery = 1.0; ///< share of what is owed that is delivered; less than all in steps shorter than those before
+};
+
+/// What a step is to turbulence that grains meet.
+struct GrainStirring {
+    double dt;            ///< [s]
+    std::uint64_t number; ///< of the step: no two draw the same
 };
 
 /// Values at the grains: one column for each array of a batch, and a spare one.
@@ -77,6 +85,13 @@ public:
     void take_off(const std::vector<core::Vec3>& wakes, const core::ParticleSet& grains, GrainTable& views,
                   GrainSurroundings& around) const;
     void remember_wakes(core::ParticleSet& grains, const std::vector<core::Vec3>& wakes) const;
+
+    [[nodiscard]] bool disperses() const { return parameters_.dispersion; }
+    /// Draws the turbulent velocity that each grain meets in a step. @pre dispersion
+    /// @param views  Of the views the velocity suffices. @param turbulence  SeenOfTurbulence columns sampled at the grains.
+    void stir(core::ParticleSet& grains, const GrainTable& views, const GrainTable& turbulence, const GrainStirring& step) const;
+    /// Adds it to the velocity that was sampled, if the grains meet any.
+    void add_fluctuations(const core::ParticleSet& grains, GrainTable& views) const;
 
     /// Before anything is taken off: the velocity that a pass tells. @param views  As freeze_drag().
     void remember_told(core::ParticleSet& grains, const GrainTable& views) const;

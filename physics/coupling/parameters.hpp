@@ -6,6 +6,7 @@
 #include "physics/coupling/drag_law.hpp"
 #include "physics/coupling/mode.hpp"
 
+#include <cstdint>
 #include <optional>
 
 namespace physics {
@@ -40,12 +41,14 @@ struct CouplingParameters {
     AddedMassLaw added_mass_law = AddedMassLaw::one_sphere;
     bool lift = false; ///< Magnus, by the spin relative to the fluid
     MagnusLaw magnus = MagnusLaw::lun_liu;
-    bool shear_lift = false;      ///< Saffman and Mei
-    bool torque = true;           ///< viscous
-    bool history = false;         ///< Basset
-    bool own_disturbance = false; ///< takes off what a grain itself adds to the fluid it samples (own_disturbance.hpp)
-    double filter_width = 0.0;    ///< bandwidth b of the diffusion filter [m]
-    std::optional<Mode> mode;     ///< none: chosen from the stability numbers
+    bool shear_lift = false;       ///< Saffman and Mei
+    bool torque = true;            ///< viscous
+    bool history = false;          ///< Basset
+    bool dispersion = false;       ///< by turbulence that is modelled (dispersion.hpp)
+    std::uint64_t random_seed = 1; ///< of what is drawn for it
+    bool own_disturbance = false;  ///< takes off what a grain itself adds to the fluid it samples (own_disturbance.hpp)
+    double filter_width = 0.0;     ///< bandwidth b of the diffusion filter [m]
+    std::optional<Mode> mode;      ///< none: chosen from the stability numbers
 };
 
 /// Drag coefficient K of one grain by the chosen law, among grains of its size [kg/s].

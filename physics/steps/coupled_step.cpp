@@ -115,6 +115,7 @@ void CoupledStep::declare(tasks::StageGraph& graph, Mode mode)
 void CoupledStep::declare_grain_load(tasks::StageGraph& graph)
 {
     auto& f = fields_;
+    views_.declare_stirring(graph, {exchange_, grains_, places_, holds_, clock_});
     graph.whole(
         "load grains",
         [this](tasks::Lane& lane, const core::FieldBatch<told_views>& told, const core::FieldBatch<3>& vorticity,
@@ -130,6 +131,7 @@ void CoupledStep::declare_grain_load(tasks::StageGraph& graph)
                 exchange_.remember_wakes(grains.particles, wakes);
                 exchange_.take_off(wakes, grains.particles, table, around);
             }
+            exchange_.add_fluctuations(grains.particles, table);
             const GrainStep step{clock.dt, grains.step(), clock.dt_before, 1.0 - clock.memory()};
             exchange_.freeze_drag(grains.particles, table, around, step);
             exchange_.load(grains.particles, table, drive_of(clock, drive), step);
@@ -157,6 +159,7 @@ void CoupledStep::declare_restart_of_grains(tasks::StageGraph& graph)
             exchange_.remember_told(kept.particles, table);
             if (parameters_.own_disturbance) // of this pass alone: the next step begins with the last that was remembered
                 exchange_.take_off(exchange_.wakes(kept.particles, table, around, clock.dt), kept.particles, table, around);
+            exchange_.add_fluctuations(kept.particles, table);
             exchange_.revise(kept.particles, table, around);
             grains.particles = kept.particles;
             grains.history = kept.history;

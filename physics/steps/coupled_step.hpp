@@ -8,7 +8,7 @@
 #include "physics/particles/stepper.hpp"
 #include "physics/steps/fluid_views.hpp"
 #include "physics/steps/flux_agreement.hpp"
-#include <functional>
+#include "physics/steps/step_company.hpp"
 #include <limits>
 #include <memory>
 
@@ -25,11 +25,7 @@ public:
     CoupledStep(const CoupledStep&) = delete;
     CoupledStep& operator=(const CoupledStep&) = delete;
 
-    /// Stages of others, declared in the lane of the fluid where it begins a step and where its new velocity is known.
-    struct Company {
-        std::function<void(tasks::StageGraph&)> before, after;
-    };
-    void keep_company(Company company) { company_ = std::move(company); }
+    void keep_company(StepCompany company) { company_ = std::move(company); }
     /// Declares all stages, those of the fluid included. May be called for several graphs, of which each step runs one.
     /// @pre At the start of a step no rank has lists of neighbours (see grain_job.hpp): a repeated pass could not restore them.
     void declare(tasks::StageGraph& graph, Mode mode);
@@ -45,6 +41,8 @@ public:
     /// The largest share of the fluid of a cell that leaves it in a time [1/s]. @pre Finite-volume advection.
     [[nodiscard]] double outflow_rate(core::LocalBlock b) const;
     [[nodiscard]] const GrainExchange& exchange() const { return exchange_; }
+    /// What grains see of the fluid.
+    [[nodiscard]] FluidViews& views() { return views_; }
     /// Extremes of the present state on this rank, for steps of `dt` [s]; the drag is that of the last step, before the first that
     /// of grains that settle.
     /// @param bed_stiffness  Of bed_stiffness.hpp [N/m].
@@ -139,7 +137,7 @@ private:
     TransportFields transport_;
     std::unique_ptr<FluxAgreement> agreement_; ///< with finite-volume advection alone
     GrainExchange exchange_;
-    Company company_;
+    StepCompany company_;
     LaneFilter filter_;                        ///< of the grain lane
     std::unique_ptr<LaneFilter> fluid_filter_; ///< of a fluid lane that does not wait for the grains
     core::FaceField face_mobility_, known_face_mobility_;

@@ -24,6 +24,8 @@ public:
     void declare_viscosity(tasks::StageGraph& graph);
     /// For grains that it turns or lifts.
     void declare_vorticity(tasks::StageGraph& graph);
+    /// For grains that a model of turbulence disperses; before anything is declared.
+    void see_turbulence(core::ScalarField& k, core::ScalarField& epsilon);
     /// The new state as the grains see it.
     void declare_state(tasks::StageGraph& graph);
     /// Is the viscous stress that of the new state, or still what grains have been told?
@@ -56,6 +58,8 @@ public:
         tasks::Value<GrainHolds>& holds;
         tasks::Part<FluidClock>& clock;
     };
+    /// Draws the turbulent velocity that each grain meets in the step, where one is seen.
+    void declare_stirring(tasks::StageGraph& graph, const GrainLane& lane);
     /// Grains are owed what the answer is beyond what they were told: step 6 of response.hpp.
     void declare_owed(tasks::StageGraph& graph, const GrainLane& lane);
 
@@ -70,12 +74,16 @@ private:
     void view_stress_in(std::span<const core::View<double>> out, CellVectors viscous) const;
     [[nodiscard]] bool tells_stress(Stress stress) const { return viscous() && stress == Stress::of_new_state; }
 
+    [[nodiscard]] tasks::Job find_turbulence(tasks::Lane& lane, const core::ScalarField& k, const core::ScalarField& epsilon,
+                                             core::FieldBatch<seen_of_turbulence>& seen);
+
     const core::Mesh& mesh_;
     tasks::HaloFiller& halos_;
     FluidStep& fluid_;
     ExchangeFields& fields_;
     bool spins_; ///< Do grains see vorticity?
     core::HaloExchange plan_;
+    core::ScalarField *k_ = nullptr, *epsilon_ = nullptr; ///< of turbulence that disperses grains
 };
 
 } // namespace physics

@@ -32,7 +32,7 @@ OneWayStep::OneWayStep(const core::Locator& locator, const core::Communicator& r
 {
 }
 
-void OneWayStep::declare(tasks::StageGraph& graph, const Company& company)
+void OneWayStep::declare(tasks::StageGraph& graph, const StepCompany& company)
 {
     fluid_.declare_boundaries(graph);
     {
@@ -60,14 +60,16 @@ void OneWayStep::declare_grains(tasks::StageGraph& graph)
 {
     const auto lane = graph.lane("particles");
     views_.declare_vorticity(graph);
+    views_.declare_stirring(graph, {exchange_, grains_, places_, holds_, clock_});
     graph.whole(
         "load grains",
         [this](tasks::Lane& own, const core::FieldBatch<told_views>& told, const core::FieldBatch<3>& vorticity, const FluidClock& clock,
                const DriveState& state, const GrainPlaces& places, ParticleDynamics& grains) {
             const auto count = std::size_t(grains.particles.owned);
-            const GrainTable table = views_.sample(own.team(), places, count, told, vorticity);
+            GrainTable table = views_.sample(own.team(), places, count, told, vorticity);
             const GrainStep step{clock.dt, grains.step(), clock.dt_before, 1.0 - clock.memory()};
             exchange_.remember_told(grains.particles, table);
+            exchange_.add_fluctuations(grains.particles, table);
             exchange_.freeze_drag(grains.particles, table, {std::vector<double>(count, 1.0), {}, {}}, step);
             exchange_.load(grains.particles, table, expected_acceleration(fluid_.parameters().drive, state, clock.time, clock.dt), step);
         },

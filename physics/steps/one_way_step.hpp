@@ -6,7 +6,7 @@
 // What the fluid does within the step reaches the grains as what they are owed, as in steps 2 and 6 of response.hpp: second order in time.
 #include "physics/particles/stepper.hpp"
 #include "physics/steps/fluid_views.hpp"
-#include <functional>
+#include "physics/steps/step_company.hpp"
 
 namespace physics {
 
@@ -19,15 +19,13 @@ public:
     OneWayStep(const OneWayStep&) = delete;
     OneWayStep& operator=(const OneWayStep&) = delete;
 
-    /// Stages of others, declared in the lane of the fluid where it begins a step and where its new velocity is known.
-    struct Company {
-        std::function<void(tasks::StageGraph&)> before, after;
-    };
-    void declare(tasks::StageGraph& graph, const Company& company);
+    void declare(tasks::StageGraph& graph, const StepCompany& company);
     /// Finds the grains among the cells and what they are told: to be called whenever the state was set from outside. Collective.
     [[nodiscard]] tasks::Job initialise(tasks::Lane& lane);
 
     [[nodiscard]] const GrainExchange& exchange() const { return exchange_; }
+    /// What grains see of the fluid.
+    [[nodiscard]] FluidViews& views() { return views_; }
     [[nodiscard]] int filter_degree() const { return filter_.own.degree(); }
     /// Du/Dt of the last step without viscosity's part, carried from step to step.
     [[nodiscard]] core::VectorField& acceleration() { return fields_.acceleration; }

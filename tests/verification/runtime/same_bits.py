@@ -80,7 +80,8 @@ def cases(long):
     few = ["particles.S.count=10", "particles.L.count=5", "run.settle=0 ms", "coupling.mode=concurrent"]
     all_cases = {"pipe": Case(pipe_file, pipe, 1, 2), "coarse": Case(pipe_file, [*pipe, "coupling.mode=coarse"], 1, 2),
                  "few": Case(pipe_file, [*pipe, *few], 1, 2), "dry": Case(DRY_BED, [], 4, 8)}
-    all_cases["volumes"] = Case(pipe_file, [*pipe, "fluid.advection=finite_volume"], 1, 2)
+    turbulent = ["fluid.turbulence.model=k-epsilon", "fluid.turbulence.speed=0.5 m/s"]  # it spreads grains at random
+    all_cases["volumes"] = Case(pipe_file, [*pipe, *turbulent, "fluid.advection=finite_volume"], 1, 2)
     forces = ["drag=beetstra", "added_mass=zuber", "shear_lift=on", "history=on", "own_disturbance=on"]  # and, with them, a mixture of sizes
     all_cases["forces"] = Case(pipe_file, [*pipe, *(f"coupling.{f}" for f in forces)], 1, 2)
     all_cases["lid"] = Case(LID, [], 4, 8)

@@ -40,6 +40,13 @@ enum SeenOfTurbulence : std::size_t {
     seen_of_turbulence = seen_growth + 3
 };
 
+/// What grains set against turbulence, per volume of cell (turbulence_damping.hpp).
+enum ResistingTurbulence : std::size_t {
+    resisting_drag, ///< sum of K [kg/(m3 s)]
+    resisting_mass, ///< with added mass [kg/m3]
+    resisting
+};
+
 /// What grains sample when the fluid has answered: the views of the new state, and
 enum GrainNews : std::size_t {
     news_projection = state_views, ///< ru dG, filtered [m/s]
@@ -60,6 +67,7 @@ struct ExchangeFields {
           told({"told state", "", 1, false}, mesh.own_cells()),
           vorticity({"vorticity for grains", "1/s", 1, false}, mesh.own_cells()),
           turbulence({"turbulence for grains", "", 1, false}, mesh.own_cells()),
+          resistance({"resistance of grains to turbulence", "", 1, false}, mesh.own_cells()),
           surface({"surface of grains", "1/m", 1, false}, mesh.own_cells()),
           news({"answer for grains", "", 1, false}, mesh.own_cells()),
           advected({"advected velocity u^a", "m/s", 0, false}, mesh.own_cells()),
@@ -82,6 +90,7 @@ struct ExchangeFields {
     core::FieldBatch<told_views> told;          ///< filtered state that the grains are told
     core::FieldBatch<3> vorticity;
     core::FieldBatch<seen_of_turbulence> turbulence;
+    core::FieldBatch<resisting> resistance;
     core::FieldBatch<1> surface; ///< put(V / d): C over the Sauter diameter of the grains around; of mixtures alone [1/m]
     core::FieldBatch<grain_news> news;
     core::VectorField advected; ///< u^a: advection and viscosity alone

@@ -104,6 +104,9 @@ public:
     /// @param drive  Mean acceleration of the fluid by the drive over the step [m/s2].
     void load(core::ParticleSet& grains, const GrainTable& views, const core::Vec3& drive, const GrainStep& step) const;
 
+    /// What each owned grain sets against turbulence (turbulence_damping.hpp): drag coefficient, and mass with added mass.
+    [[nodiscard]] GrainTable resistance(const core::ParticleSet& grains) const;
+
     /// Before a pass is repeated, when the views are of its own step: nothing need be kept back from held grains, and where slip relaxes
     /// fast K becomes the mean of what it was and what the new slip asks for.
     void revise(core::ParticleSet& grains, const GrainTable& views, const GrainSurroundings& around) const;

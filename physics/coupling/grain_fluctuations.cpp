@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
-// GrainExchange: the turbulent velocity that each grain meets (dispersion.hpp).
+// GrainExchange: turbulence that grains meet (dispersion.hpp), and what they set against it.
 #include "core/base/random.hpp"
 #include "physics/coupling/dispersion.hpp"
 #include "physics/coupling/grain_exchange.hpp"
@@ -43,6 +43,17 @@ void GrainExchange::add_fluctuations(const core::ParticleSet& grains, GrainTable
         for (int a = 0; a < 3; ++a)
             views[view_velocity + std::size_t(a)][std::size_t(g)] +=
                 grains.columns[std::size_t(columns_.fluctuation_met + a)][std::size_t(g)];
+}
+
+GrainTable GrainExchange::resistance(const core::ParticleSet& grains) const
+{
+    const auto owned = std::size_t(grains.owned);
+    const auto first_of = [&](const core::Column& column) { return std::vector<double>(column.begin(), column.begin() + grains.owned); };
+    GrainTable table(resisting);
+    table[resisting_drag] = first_of(grains.columns[std::size_t(columns_.drag)]);
+    table[resisting_mass] = first_of(grains.columns[std::size_t(columns_.added_mass)]);
+    for (std::size_t g = 0; g < owned; ++g) table[resisting_mass][g] += grains.mass[g];
+    return table;
 }
 
 } // namespace physics

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 // CoupledStep, what mixtures of sizes need: the surface of the grains around each grain, hence their mean diameter.
-#include "physics/fluid/cell_loops.hpp"
 #include "physics/steps/batch_filter.hpp"
 #include "physics/steps/coupled_step.hpp"
+#include "physics/steps/sum_per_volume.hpp"
 
 namespace physics {
 
@@ -39,22 +39,12 @@ void CoupledStep::declare_surface(tasks::StageGraph& graph)
 tasks::Job CoupledStep::sum_surface(tasks::Lane& lane, const core::ParticleSet& grains, const GrainPlaces& places, Filter& filter,
                                     core::FieldBatch<1>& surface)
 {
-    std::vector<double> deposits(std::size_t(grains.owned));
+    GrainTable deposits(1, std::vector<double>(std::size_t(grains.owned)));
     for (int g = 0; g < grains.owned; ++g) {
         const auto k = std::size_t(g);
-        deposits[k] = exchange_.volume(grains, g) / (2.0 * grains.radius[k]);
+        deposits[0][k] = exchange_.volume(grains, g) / (2.0 * grains.radius[k]);
     }
-    lane.team().run(mesh_.own_count(), [&](int b) {
-        auto& values = surface.data(b, 0);
-        std::fill(values.begin(), values.end(), 0.0);
-        places.deposit(b, deposits, surface.on(b)[0]);
-    });
-    co_await send_home(lane, mesh_, views_.plan(), surface);
-    lane.team().run(mesh_.own_count(), [&](int b) {
-        const auto field = surface.on(b)[0];
-        map_cells(
-            field, [](double q, double volume) { return q / volume; }, field, geometry(b).volume.view());
-    });
+    co_await sum_per_volume(lane, mesh_, views_.plan(), places, std::move(deposits), surface);
     co_await filter_batch(lane, filter, surface);
     co_await fill_for_sampling(lane, mesh_, views_.plan(), surface);
 }

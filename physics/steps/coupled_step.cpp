@@ -6,6 +6,7 @@
 #include "physics/fluid/cell_loops.hpp"
 #include "physics/steps/batch_filter.hpp"
 #include "physics/steps/grain_job.hpp"
+#include "physics/steps/sum_per_volume.hpp"
 
 namespace physics {
 
@@ -143,6 +144,18 @@ void CoupledStep::declare_grain_load(tasks::StageGraph& graph)
             kept = {grains.particles, grains.history};
         },
         reads(grains_), writes(kept_));
+    declare_resistance(graph);
+}
+
+void CoupledStep::declare_resistance(tasks::StageGraph& graph)
+{
+    if (!resists_turbulence_) return;
+    graph.whole(
+        "resistance of grains to turbulence",
+        [this](tasks::Lane& lane, const ParticleDynamics& grains, const GrainPlaces& places, core::FieldBatch<resisting>& sums) {
+            return sum_per_volume(lane, mesh_, views_.plan(), places, exchange_.resistance(grains.particles), sums);
+        },
+        reads(grains_, places_), writes(fields_.resistance));
 }
 
 void CoupledStep::declare_restart_of_grains(tasks::StageGraph& graph)
@@ -227,19 +240,7 @@ tasks::Job CoupledStep::sum_over_grains(tasks::Lane& lane, MovedGrains moved, Fi
         exchange_.answer(moved.grains, {told, moved.holds, moved.dt}, deposits);
     });
     co_await lane.agree();
-    lane.team().run(mesh_.own_count(), [&](int b) {
-        for (std::size_t a = 0; a < grain_sums; ++a) {
-            auto& values = sums.data(b, a);
-            std::fill(values.begin(), values.end(), 0.0);
-            places.deposit(b, deposits[a], sums.on(b)[a]);
-        }
-    });
-    co_await send_home(lane, mesh_, views_.plan(), sums);
-    lane.team().run(mesh_.own_count(), [&](int b) {
-        for (const auto& field : sums.on(b))
-            map_cells(
-                field, [](double q, double volume) { return q / volume; }, field, geometry(b).volume.view());
-    });
+    co_await sum_per_volume(lane, mesh_, views_.plan(), places, std::move(deposits), sums);
     co_await filter_batch(lane, filter, sums, exchange_.sums());
 }
 

@@ -36,6 +36,8 @@ public:
     [[nodiscard]] tasks::Job find_fraction(tasks::Lane& lane);
 
     [[nodiscard]] ExchangeFields& fields() { return fields_; }
+    /// Makes the steps find what grains set against turbulence; before anything is declared.
+    void resist_turbulence() { resists_turbulence_ = true; }
     /// Of finite-volume advection.
     [[nodiscard]] const TransportFields& transport() const { return transport_; }
     /// The largest share of the fluid of a cell that leaves it in a time [1/s]. @pre Finite-volume advection.
@@ -60,6 +62,7 @@ private:
     [[nodiscard]] tasks::Job sum_surface(tasks::Lane& lane, const core::ParticleSet& grains, const GrainPlaces& places, Filter& filter,
                                          core::FieldBatch<1>& surface);
     void declare_grain_load(tasks::StageGraph& graph);
+    void declare_resistance(tasks::StageGraph& graph);
     void declare_restart_of_grains(tasks::StageGraph& graph);
     void declare_grain_sums(tasks::StageGraph& graph);
     void declare_memory_of_contacts(tasks::StageGraph& graph);
@@ -138,6 +141,7 @@ private:
     std::unique_ptr<FluxAgreement> agreement_; ///< with finite-volume advection alone
     GrainExchange exchange_;
     StepCompany company_;
+    bool resists_turbulence_ = false;
     LaneFilter filter_;                        ///< of the grain lane
     std::unique_ptr<LaneFilter> fluid_filter_; ///< of a fluid lane that does not wait for the grains
     core::FaceField face_mobility_, known_face_mobility_;

@@ -3,6 +3,7 @@
 #include "physics/steps/turbulence_step.hpp"
 #include "core/base/error.hpp"
 #include "core/grid/face_distance.hpp"
+#include "physics/coupling/turbulence_damping.hpp"
 #include "physics/fluid/cell_loops.hpp"
 
 #include <algorithm>
@@ -88,6 +89,7 @@ TurbulenceStep::TurbulenceStep(const core::Mesh& mesh, FluidStep& fluid, const T
     for (core::ScalarField* field : {&k_capacity_, &k_source_, &epsilon_capacity_, &epsilon_source_, &free_}) field->allocate();
     diffusivity_.allocate();
     if (coupling) {
+        coupling->resist_turbulence();
         face_share_.allocate();
         halos_.prepare(&share_, core::beside);
         act_on_grains();
@@ -159,8 +161,27 @@ void TurbulenceStep::declare(tasks::StageGraph& graph)
                const FluidClock& clock, core::ScalarField&, core::ScalarField&, core::ScalarField&, core::ScalarField&,
                core::ScalarField&) { return advance(lane, flux, clock.dt, velocity); },
         reads(flux_.mean(), fluid_.state().velocity, f.viscosity_ratio, clock_), updates(k_, epsilon_, strain_, forcing_, share_));
+    if (flux_.coupling()) declare_damping(graph, flux_.coupling()->fields().resistance);
     for (core::ScalarField* field : {&k_, &epsilon_, &strain_, &forcing_}) graph.sink(*field);
     if (acts_on_grains_) declare_viscosity(graph);
+}
+
+/// By the grains as they were at the start of the step: nothing waits for what they do.
+void TurbulenceStep::declare_damping(tasks::StageGraph& graph, core::FieldBatch<resisting>& grains)
+{
+    graph.each_block(
+        "damp turbulence between grains",
+        [rho = fluid_.parameters().density](LocalBlock, std::array<View<const double>, resisting> grains, View<const double> share,
+                                            const FluidClock& clock, View<double> k, View<double> epsilon) {
+            core::for_each_cell(k.extents(), [&](int i, int j, int m) {
+                const Turbulence at{k(i, j, m), epsilon(i, j, m)};
+                const GrainResistance around{grains[resisting_drag](i, j, m), grains[resisting_mass](i, j, m)};
+                const Turbulence left = damped(at, turbulence_damping(around, rho * share(i, j, m), at), clock.dt);
+                k(i, j, m) = left.k;
+                epsilon(i, j, m) = left.epsilon;
+            });
+        },
+        reads(grains, share_, clock_), updates(k_, epsilon_));
 }
 
 tasks::Job TurbulenceStep::find_viscosity(tasks::Lane& lane)

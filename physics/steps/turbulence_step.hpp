@@ -41,6 +41,7 @@ public:
 
 private:
     void declare_viscosity(tasks::StageGraph& graph);
+    void declare_damping(tasks::StageGraph& graph, core::FieldBatch<resisting>& grains);
     tasks::Job advance(tasks::Lane& lane, const core::FaceField& flux, double dt, const core::VectorField& velocity);
     void set_viscosity_on_faces(core::LocalBlock b, core::View<const double> eddy, core::View<const double> k,
                                 core::FaceView<double> ratio) const;

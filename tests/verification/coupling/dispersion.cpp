@@ -110,6 +110,44 @@ TEST_CASE("grains that are well mixed between walls stay so")
     }
 }
 
+TEST_CASE("heavy grains damp decaying turbulence as fast as their drag on it says")
+{
+    CoupledBox box;
+    box.size = 16e-3 * Vec3::Ones();
+    box.cells = {8, 8, 8};
+    box.periodic = {io::Axis::x, io::Axis::y, io::Axis::z};
+    box.diameter = 1e-3;
+    box.density_ratio = 50; // neither does dispersion move them
+    box.dt = 0.5e-3;
+    io::Scene scene = scene_of(box, 1);
+    scene.fluid->turbulence = io::TurbulenceKeys{io::TurbulenceModel::k_epsilon, 0.1, 0.1, 2e-3, 0.0};
+    scene.coupling->dispersion = io::Switch::off;
+    CoupledRun run(scene);
+    std::vector<Vec3> places; // one in each cell
+    for (int n = 0; n < 512; ++n) places.push_back(2e-3 * Vec3(n % 8 + 0.5, n / 8 % 8 + 0.5, n / 64 + 0.5));
+    run.place(places);
+    run.start();
+    const auto& field = run.world().turbulence()->k();
+    double k = field.on(0)(1, 2, 3), epsilon = run.world().turbulence()->epsilon().on(0)(1, 2, 3);
+    constexpr double volume = std::numbers::pi / 6 * 1e-9, cell = 8e-9, fluid = 1000 * (1 - volume / cell), c_2 = 1.92;
+    for (int n = 0; n < 40; ++n) {
+        run.step();
+        const auto& columns = run.world().exchange()->columns();
+        const double drag = run.grains().columns[std::size_t(columns.drag)][0] / cell;
+        const double mass = (run.grains().mass[0] + run.grains().columns[std::size_t(columns.added_mass)][0]) / cell;
+        constexpr int parts = 200;
+        for (int m = 0; m < parts; ++m) {
+            const double h = run.world().clock().dt_before / parts, stokes = mass / drag * 6 * epsilon / k;
+            const double rate = 2 * drag * (1 - std::exp(-0.25 * stokes)) / fluid, dissipation = epsilon;
+            epsilon -= h * epsilon * (c_2 * epsilon / k + 1.2 * rate);
+            k -= h * (dissipation + rate * k);
+        }
+    }
+    MESSAGE("k = ", field.on(0)(1, 2, 3), " m2/s2, expected ", k);
+    CHECK(k < 0.1 * 1.5e-4);                                        // it has fallen far
+    CHECK(field.on(0)(1, 2, 3) == test::relative(k).epsilon(0.03)); // one after the other in steps of a thirtieth of the time of decay
+}
+
 TEST_CASE("what turbulence does to grains the fluid pays for, in every mode")
 {
     for (const io::CouplingMode mode : every_mode) {

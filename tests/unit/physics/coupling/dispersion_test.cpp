@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/random.hpp"
 #include "physics/coupling/dispersion.hpp"
+#include "physics/coupling/turbulence_damping.hpp"
 #include "tests/support/relative.hpp"
 #include <doctest/doctest.h>
 #include <vector>
@@ -106,6 +107,22 @@ TEST_CASE("turbulence at a grain has the numbers of its model, and grains that f
     CHECK(physics::fluctuation_rate(0.01, 0.006) == test::relative(2.0).epsilon(1e-12));
     CHECK(physics::crossing_rate({0.1, core::Vec3::Zero(), 2.0}, 0.0) == 2.0);
     CHECK(physics::crossing_rate({0.3, core::Vec3::Zero(), 2.0}, 0.4) == test::relative(10.0 / 3).epsilon(1e-12));
+}
+
+TEST_CASE("grains damp turbulence as their drag takes up what they do not follow")
+{
+    const physics::Turbulence at{0.01, 0.5};
+    CHECK(physics::turbulence_damping({}, 400, at) == 0.0);
+    // Grains that do not follow at all: 2 K / (rho phi). A bed of sand of 0.5 mm has 5e5 kg/(m3 s): 2 ms.
+    CHECK(physics::turbulence_damping({5e5, 1e9}, 400, at) == test::relative(2500).epsilon(1e-12));
+    // A Stokes number of 4: 1 - exp(-1). 6 epsilon / k = 300 1/s, so 4 / 300 s.
+    CHECK(physics::turbulence_damping({3e4, 400}, 400, at) == test::relative(150 * (1 - std::exp(-1.0))).epsilon(1e-12));
+    // Grains that follow are more fluid to stir, 12 / 4 of their share of the mass times epsilon / k.
+    CHECK(physics::turbulence_damping({1e12, 400}, 400, at) == test::relative(3 * 50).epsilon(1e-6));
+    const physics::Turbulence left = physics::damped(at, 2.0, 0.5);
+    CHECK(left.k == test::relative(0.01 * std::exp(-1.0)).epsilon(1e-12));
+    CHECK(left.epsilon == test::relative(0.5 * std::exp(-1.2)).epsilon(1e-12));
+    CHECK(physics::damped(at, 1e9, 1.0).k == physics::least_turbulence.k);
 }
 
 TEST_CASE("normal numbers have the moments of a normal distribution, and those of different counters are not related")

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/particles/pair_list.hpp"
+#include "core/base/renew.hpp"
 
 #include <algorithm>
 
@@ -25,13 +26,13 @@ std::array<std::array<float, 3>, 27> shifts_of(const BinLattice& lattice)
 
 /// Among particles of its own size a particle looks for those that come after it; among larger ones for all, who then need not look for
 /// it. Ghosts look for larger owned ones only.
-void PairList::find(const ParticleSet& particles, const CellLists& cells, double skin, int chunk)
+void PairList::find(Search& search, int chunk)
 {
-    auto& crossing = crossing_[index_of(chunk)];
-    crossing.clear();
+    const ParticleSet& particles = search.particles;
+    const CellLists& cells = search.cells;
+    auto& crossing = search.crossing[index_of(chunk)];
     std::array<CellRow, 27> rows;
     const int begin = chunk * particles_per_chunk, end = std::min(particles.size(), begin + particles_per_chunk);
-    if (begin < particles.owned) found_[index_of(chunk)].clear();
     const SizeLevels& sizes = cells.sizes();
     for (int level = 0; level < sizes.count(); ++level) {
         const CellList& list = cells.at(level);
@@ -42,7 +43,7 @@ void PairList::find(const ParticleSet& particles, const CellLists& cells, double
             if (own < level || (i >= particles.owned && own == level)) continue;
             const int before = own == level ? i : -1, after = i < particles.owned ? particles.size() : particles.owned;
             const Vec3 position = particles.position_of(i), here = position - lattice.low;
-            const float reach = float(particles.radius[index_of(i)] + skin) + list.rounding();
+            const float reach = float(particles.radius[index_of(i)] + search.skin) + list.rounding();
             const int count = list.rows_around(lattice.bin(position), rows);
             for (int r = 0; r < count; ++r) {
                 const auto& [first_entry, stop, image] = rows[index_of(r)];
@@ -54,7 +55,7 @@ void PairList::find(const ParticleSet& particles, const CellLists& cells, double
                     const float dx = list.x[k] - x, dy = list.y[k] - y, dz = list.z[k] - z;
                     const float near = list.radius[k] + reach;
                     if (dx * dx + dy * dy + dz * dz > near * near) continue;
-                    auto& found = std::min(i, j) >= begin && i < particles.owned ? found_[index_of(chunk)] : crossing;
+                    auto& found = std::min(i, j) >= begin && i < particles.owned ? search.found[index_of(chunk)] : crossing;
                     if (particles.id[index_of(i)] < particles.id[index_of(j)]) found.push_back({i, j, std::uint8_t(image)});
                     else found.push_back({j, i, std::uint8_t(26 - image)});
                 }
@@ -63,26 +64,29 @@ void PairList::find(const ParticleSet& particles, const CellLists& cells, double
     }
 }
 
-void PairList::hand_over_crossing()
+void PairList::hand_over_crossing(Search& search)
 {
-    for (const auto& crossing : crossing_)
-        for (const Found& pair : crossing) found_[index_of(std::min(pair.first, pair.second) / particles_per_chunk)].push_back(pair);
+    for (const auto& crossing : search.crossing)
+        for (const Found& pair : crossing) search.found[index_of(std::min(pair.first, pair.second) / particles_per_chunk)].push_back(pair);
 }
 
-void PairList::copy_chunk(const ParticleSet& particles, int chunk)
+void PairList::copy_chunk(Search& search, int chunk)
 {
     auto p = index_of(chunk_begin[index_of(chunk)]);
     auto& later = links[index_of(chunk)];
     later.clear();
-    for (const auto& pair : found_[index_of(chunk)]) {
+    auto& found = search.found[index_of(chunk)];
+    for (const auto& pair : found) {
         first[p] = pair.first;
         second[p] = pair.second;
         image[p] = pair.image;
+        places[p] = {-1, -1};
         const int high = std::max(pair.first, pair.second);
         const int other = high / particles_per_chunk;
-        if (high < particles.owned && other != chunk && (later.empty() || later.back() != other)) later.push_back(other);
+        if (high < search.particles.owned && other != chunk && (later.empty() || later.back() != other)) later.push_back(other);
         ++p;
     }
+    found = {};
     std::sort(later.begin(), later.end());
     later.erase(std::unique(later.begin(), later.end()), later.end());
 }
@@ -90,46 +94,63 @@ void PairList::copy_chunk(const ParticleSet& particles, int chunk)
 void PairList::build(const ParticleSet& particles, const CellLists& cells, double skin, const Team& team)
 {
     const int count = (particles.owned + particles_per_chunk - 1) / particles_per_chunk;
-    found_.resize(index_of(count));
-    links.resize(index_of(count));
     const bool levels = cells.sizes().count() > 1;
     const int looking = levels ? (particles.size() + particles_per_chunk - 1) / particles_per_chunk : count;
-    crossing_.resize(index_of(looking));
-    team.run(looking, [&](int c) { find(particles, cells, skin, c); });
-    if (levels) hand_over_crossing();
+    Search search{particles, cells, skin};
+    search.found.resize(index_of(count));
+    search.crossing.resize(index_of(looking));
+    links.resize(index_of(count));
+    team.run(looking, [&](int c) { find(search, c); });
+    if (levels) hand_over_crossing(search);
     chunk_begin.assign(1, 0);
-    for (int c = 0; c < count; ++c) chunk_begin.push_back(chunk_begin.back() + int(found_[index_of(c)].size()));
+    for (int c = 0; c < count; ++c) chunk_begin.push_back(chunk_begin.back() + int(search.found[index_of(c)].size()));
     const auto total = index_of(chunk_begin.back());
-    first.resize(total);
-    second.resize(total);
-    image.resize(total);
-    team.run(count, [&](int c) { copy_chunk(particles, c); });
+    renew(first, total);
+    renew(second, total);
+    renew(image, total);
+    renew(places, total);
+    team.run(count, [&](int c) { copy_chunk(search, c); });
     build_rows(particles, team);
 }
 
+/// Calls act(pair, side, particle) for the owned particles of chunks [begin, end) in all their pairs.
+template <class Act>
+void PairList::for_each_end(int owned, int begin, int end, Act act) const
+{
+    const int low = begin * particles_per_chunk, high = std::min(owned, end * particles_per_chunk);
+    for (int c = 0; c < end; ++c) {
+        const auto& later = links[index_of(c)];
+        const auto link = std::lower_bound(later.begin(), later.end(), begin);
+        if (c < begin && (link == later.end() || *link >= end)) continue;
+        for (auto p = index_of(chunk_begin[index_of(c)]); p < index_of(chunk_begin[index_of(c) + 1]); ++p)
+            for (const int side : {0, 1})
+                if (const int i = side == 0 ? first[p] : second[p]; i >= low && i < high) act(p, side, i);
+    }
+}
+
+/// Each thread makes the rows of consecutive chunks.
 void PairList::build_rows(const ParticleSet& particles, const Team& team)
 {
-    const int owned = particles.owned;
+    const int owned = particles.owned, parts = team.threads();
+    const auto begin_of = [&](int part) { return int(std::int64_t(chunks()) * part / parts); };
     row_begin.assign(index_of(owned) + 1, 0);
-    for (std::size_t p = 0; p < first.size(); ++p) {
-        if (first[p] < owned) ++row_begin[index_of(first[p]) + 1];
-        if (second[p] < owned) ++row_begin[index_of(second[p]) + 1];
-    }
+    team.run(parts, [&](int part) {
+        for_each_end(owned, begin_of(part), begin_of(part + 1), [&](std::size_t, int, int i) { ++row_begin[index_of(i) + 1]; });
+    });
     for (int i = 0; i < owned; ++i) row_begin[index_of(i) + 1] += row_begin[index_of(i)];
-    std::vector<int> next(row_begin.begin(), row_begin.end() - 1);
-    row.resize(index_of(row_begin.back()));
-    for (std::size_t p = 0; p < first.size(); ++p) {
-        if (first[p] < owned) row[index_of(next[index_of(first[p])]++)] = 2 * int(p);
-        if (second[p] < owned) row[index_of(next[index_of(second[p])]++)] = 2 * int(p) + 1;
-    }
-    const auto other_id = [&](int entry) {
-        const auto p = index_of(entry / 2);
-        return particles.id[index_of(entry % 2 == 0 ? second[p] : first[p])];
+    std::vector<int> row(index_of(row_begin.back())), next(row_begin.begin(), row_begin.end() - 1); // 2 pair + side
+    const auto other_id = [&](int end) {
+        const auto p = index_of(end / 2);
+        return particles.id[index_of(end % 2 == 0 ? second[p] : first[p])];
     };
-    for_chunks(team, owned, particles_per_chunk, [&](int begin, int end) {
-        for (int i = begin; i < end; ++i)
-            std::sort(row.begin() + row_begin[index_of(i)], row.begin() + row_begin[index_of(i) + 1],
-                      [&](int a, int b) { return other_id(a) < other_id(b); });
+    team.run(parts, [&](int part) {
+        const int begin = begin_of(part), end = begin_of(part + 1);
+        for_each_end(owned, begin, end, [&](std::size_t p, int side, int i) { row[index_of(next[index_of(i)]++)] = 2 * int(p) + side; });
+        for (int i = begin * particles_per_chunk; i < std::min(owned, end * particles_per_chunk); ++i) {
+            const int first_place = row_begin[index_of(i)], stop = row_begin[index_of(i) + 1];
+            std::sort(row.begin() + first_place, row.begin() + stop, [&](int a, int b) { return other_id(a) < other_id(b); });
+            for (int k = first_place; k < stop; ++k) places[index_of(row[index_of(k)] / 2)][index_of(row[index_of(k)] % 2)] = k;
+        }
     });
 }
 

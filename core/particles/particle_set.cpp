@@ -52,11 +52,15 @@ void ParticleSet::resize_owned(int n)
 void ParticleSet::resize_ghosts(int n)
 {
     const auto total = std::size_t(owned + n);
+    const auto fit = [&](auto& column) {
+        if (n > 0) column.reserve(total); // resize() would double the room; one by one, as owned particles come, that is welcome
+        column.resize(total);
+    };
     for (auto* triple : {&position, &velocity, &spin})
-        for (auto& column : *triple) column.resize(total);
-    for (auto* column : {&radius, &mass, &inertia}) column->resize(total);
-    id.resize(total);
-    species.resize(total);
+        for (auto& column : *triple) fit(column);
+    for (auto* column : {&radius, &mass, &inertia}) fit(*column);
+    fit(id);
+    fit(species);
 }
 
 void ParticleSet::reorder(std::span<const int> order)

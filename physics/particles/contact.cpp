@@ -17,8 +17,10 @@ constexpr double coincident_share = 1e-10;
 
 /// The near pairs' columns that a force reads and moves.
 struct PairColumns {
-    const int *first, *second, *pair;
-    std::vector<core::Column>& spring;
+    const int *first, *second;
+    double* spring;  ///< Of the chunk's first pair; those of the next column are `near` further on.
+    int begin, near; ///< The chunk's first pair, and how many are near.
+    int width;       ///< Columns of springs.
     ContactForce* forces;
     ContactCouple* couples;
     PairBook* books;       ///< Null where no budget is kept.
@@ -52,7 +54,7 @@ core::Eight turned(const core::Eight& motion)
 /// Reads pairs [begin, begin + count); the places up to the next multiple of eight repeat the last one.
 /// @param move  move(m, d): the difference d of the pair's places and velocities, shifted to the image that it meets.
 template <class Move>
-void read_block(const MotionRecords::Record* records, const PairColumns& pair, int begin, int count, Move move, PairBlock& b)
+void read_block(const MotionRecords::View& records, const PairColumns& pair, int begin, int count, Move move, PairBlock& b)
 {
     using core::Eight, core::load_four, core::store_eight;
     for (int k = 0; k < count; k += width) {
@@ -77,7 +79,7 @@ template <class Copy>
 void for_each_spring(const PairColumns& pair, int begin, PairBlock& b, Copy copy)
 {
     double* const lanes[] = {b.sx, b.sy, b.sz, b.rx, b.ry, b.rz};
-    for (std::size_t a = 0; a < pair.spring.size(); ++a) copy(pair.spring[a].data() + begin, lanes[a]);
+    for (int a = 0; a < pair.width; ++a) copy(pair.spring + a * pair.near + (begin - pair.begin), lanes[a]);
 }
 
 /// Gives pairs whose centres coincide a direction from their ids, and no spring.
@@ -176,7 +178,7 @@ void run_pairs(const PairScene& scene, const PairColumns& pair, int begin, int e
         const int count = std::min(PairBlock::size, end - begin);
         const auto bytes = std::size_t(count) * sizeof(double);
         const std::ptrdiff_t slot = begin + pair.offset;
-        read_block(scene.records.data(), pair, begin, count, move, block);
+        read_block(scene.records, pair, begin, count, move, block);
         for_each_spring(pair, begin, block, [&](const double* from, double* to) {
             std::memcpy(to, from, bytes);
             std::fill(to + count, to + whole(count), 0.0);
@@ -218,10 +220,12 @@ void separate(const PairScene& scene, const PairColumns& pair, int begin, int co
 void pair_forces(const PairScene& scene, core::NearPairs& near, int chunk, PairForces& forces)
 {
     const std::ptrdiff_t offset = scene.slots.offset[std::size_t(chunk)];
-    const PairColumns pair{near.first.data(),
-                           near.second.data(),
-                           near.pair.data(),
-                           near.spring,
+    const PairColumns pair{scene.pairs.first.data(),
+                           scene.pairs.second.data(),
+                           near.spring[std::size_t(chunk)].data(),
+                           scene.pairs.chunk_begin[std::size_t(chunk)],
+                           near.count(chunk),
+                           near.width(),
                            forces.forces.data(),
                            forces.couples.data(),
                            forces.books.empty() ? nullptr : forces.books.data(),
@@ -229,7 +233,7 @@ void pair_forces(const PairScene& scene, core::NearPairs& near, int chunk, PairF
     const core::Vec3* shifts = scene.shifts.data();
     const std::uint8_t* image = scene.pairs.image.data();
     const auto shifted = [=](int m, const core::Eight& d) {
-        const core::Vec3& shift = shifts[image[pair.pair[m]]];
+        const core::Vec3& shift = shifts[image[m]];
         return d + core::Eight{shift[0], shift[1], shift[2], 0.0, 0.0, 0.0, 0.0, 0.0};
     };
     const auto as_it_is = [](int, const core::Eight& d) { return d; };

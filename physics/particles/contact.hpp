@@ -46,7 +46,7 @@ struct PairForces {
 /// What the force of a pair depends on.
 struct PairScene {
     const core::ParticleSet& particles;
-    const MotionRecords& records;
+    MotionRecords::View records;
     const core::PairList& pairs;
     const core::PairSlots& slots;
     const std::array<core::Vec3, 27>& shifts;

@@ -30,8 +30,7 @@ void measure_contacts(core::ParticleSet& particles, const core::PairList& pairs,
             const ContactForce& contact = forces.forces[m];
             const core::Vec3 on_first(contact.force()[0], contact.force()[1], contact.force()[2]);
             if (on_first.isZero(0.0)) continue;
-            const core::Vec3 way = particles.position_of(near.second[m]) - particles.position_of(near.first[m]) +
-                                   shifts[pairs.image[std::size_t(near.pair[m])]];
+            const core::Vec3 way = particles.position_of(pairs.second[m]) - particles.position_of(pairs.first[m]) + shifts[pairs.image[m]];
             // Both the force and the way to the contact turn round for the second.
             const core::Vec3 arm = contact.lever(side) * way.normalized();
             const core::Vec3 yz_zx_xy =

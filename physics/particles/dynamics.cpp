@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "physics/particles/dynamics.hpp"
 #include "core/base/error.hpp"
+#include "core/base/renew.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -63,13 +64,7 @@ void ParticleDynamics::set_reach(double radius)
     near_skin_ = parameters_.near_skin > 0 ? std::min(parameters_.near_skin, skin_) : usual_near_skin * radius;
 }
 
-double ParticleDynamics::start(const core::Team& team)
-{
-    const double speed2 = drift_all(particles, 0.5 * step_, team);
-    records_.resize(particles.size());
-    records_.update(particles, 0, particles.size());
-    return speed2;
-}
+double ParticleDynamics::start(const core::Team& team) { return drift_all(particles, 0.5 * step_, team); }
 
 double ParticleDynamics::longest_step(double speed2) const { return longest_move * least_radius_ / std::sqrt(std::max(speed2, 1e-300)); }
 
@@ -80,19 +75,24 @@ void ParticleDynamics::account(double speed2, double time)
     near_travelled_ += way;
 }
 
-double ParticleDynamics::displacement() const
+double ParticleDynamics::displacement(const core::Team& team) const
 {
+    constexpr double rounding = std::numeric_limits<float>::epsilon();
     if (!built_) return std::numeric_limits<double>::infinity();
-    double greatest = 0.0;
-    for (std::size_t i = 0; i < index_of(particles.owned); ++i) {
-        double square = 0.0;
-        for (std::size_t a = 0; a < 3; ++a) {
-            const double d = particles.position[a][i] - reference_[a][i];
-            square += d * d;
+    std::vector<double> greatest(index_of(chunk_count(particles)), 0.0);
+    team.run(int(greatest.size()), [&](int c) {
+        const int begin = c * core::particles_per_chunk, end = std::min(particles.owned, begin + core::particles_per_chunk);
+        for (auto i = index_of(begin); i < index_of(end); ++i) {
+            double square = 0.0, at = 0.0;
+            for (std::size_t a = 0; a < 3; ++a) {
+                const double then = reference_[a][i], d = particles.position[a][i] - extent_.low[int(a)] - then;
+                square += d * d;
+                at += std::abs(then);
+            }
+            greatest[index_of(c)] = std::max(greatest[index_of(c)], std::sqrt(square) + rounding * at);
         }
-        greatest = std::max(greatest, square);
-    }
-    return std::sqrt(greatest);
+    });
+    return greatest.empty() ? 0.0 : *std::max_element(greatest.begin(), greatest.end());
 }
 
 bool ParticleDynamics::keep_lists(double greatest_displacement)
@@ -102,10 +102,11 @@ bool ParticleDynamics::keep_lists(double greatest_displacement)
     return true;
 }
 
-void ParticleDynamics::dissolve()
+void ParticleDynamics::dissolve(const core::Team& team)
 {
     if (near_built_) {
         walls_.return_springs();
+        near_.list_pairs(pairs_, team);
         history.clear();
         for (int i = 0; i < particles.owned; ++i) {
             near_.append_row(particles, pairs_, i, history);
@@ -113,6 +114,7 @@ void ParticleDynamics::dissolve()
             for (const SurfaceContacts& surface : surfaces_) surface.append_row(i, history);
             history.end_row();
         }
+        near_.release();
     }
     particles.resize_ghosts(0);
     while (history.rows() < particles.owned) history.end_row(); // particles that were added without a history
@@ -167,14 +169,16 @@ void ParticleDynamics::sort(const core::Bounds& bounds, const core::Octaves& gre
 
 void ParticleDynamics::build(const core::Team& team)
 {
-    cells_.build(particles, bins_);
-    pairs_.build(particles, cells_, reach(skin_), team);
+    core::CellLists cells;
+    cells.build(particles, bins_);
+    pairs_.build(particles, cells, reach(skin_), team);
     walls_.build(particles, reach(0.5 * skin_), history); // half: what walls do themselves is in wall_way_
     for (SurfaceContacts& surface : surfaces_) surface.build(particles, reach(0.5 * skin_), reach(0.5 * near_skin_), history);
-    records_.resize(particles.size());
-    records_.update(particles, 0, particles.size());
-    for (std::size_t a = 0; a < 3; ++a)
-        reference_[a].assign(particles.position[a].begin(), particles.position[a].begin() + particles.owned);
+    for (std::size_t a = 0; a < 3; ++a) {
+        core::renew(reference_[a], index_of(particles.owned));
+        for (std::size_t i = 0; i < index_of(particles.owned); ++i)
+            reference_[a][i] = float(particles.position[a][i] - extent_.low[int(a)]);
+    }
     built_ = true;
     near_built_ = false;
     travelled_ = wall_way_ = 0.0;
@@ -183,7 +187,7 @@ void ParticleDynamics::build(const core::Team& team)
 
 void ParticleDynamics::refresh_near(const core::Team& team)
 {
-    const core::NearPairs::Choice choice{particles, pairs_, shifts_, reach(near_skin_), slots_};
+    core::NearPairs::Choice choice{particles, pairs_, shifts_, reach(near_skin_), slots_};
     if (near_built_) {
         walls_.return_springs();
         near_.refresh(choice, team);
@@ -217,6 +221,7 @@ void ParticleDynamics::plan_chunks(int threads)
     planned_threads_ = threads;
     if (contact_columns_) slots_.keep_all(pairs_);
     else slots_.plan(pairs_, chunks_);
+    records_.plan(particles, pairs_, chunks_);
     forces_.resize(index_of(slots_.count), pair_laws_, parameters_.energy_budget);
     std::vector<WallLoad> so_far = loads();
     so_far.resize(index_of(count * reports_));
@@ -231,7 +236,7 @@ void ParticleDynamics::sum_chunk(int segment, int chunk, ForceSums& sums, Energy
     sum_pair_forces(pairs_, near_, forces_, sums);
     if (!forces_.couples.empty()) add_pair_couples(pairs_, near_, forces_, sums);
     if (energy) begin_budget(particles, pairs_, near_, forces_, sums, *energy);
-    if (!walls_.empty()) walls_.add_forces(records_, wall_laws_, chunk, {sums, loads, energy});
+    if (!walls_.empty()) walls_.add_forces(records_.seen_by(segment), wall_laws_, chunk, {sums, loads, energy});
     for (SurfaceContacts& surface : surfaces_) surface.add_forces(particles, wall_laws_, chunk, {sums, loads, energy});
 }
 
@@ -240,7 +245,6 @@ void ParticleDynamics::sum_chunk(int segment, int chunk, ForceSums& sums, Energy
 template <class M>
 double ParticleDynamics::advance_as(const M& motion, const core::Team& team, const DriftTimes& times)
 {
-    const PairScene scene{particles, records_, pairs_, slots_, shifts_, pair_laws_, parameters_.seed};
     const int segments = int(chunks_.segments.size()) - 1;
     std::vector<double> greatest(index_of(segments), 0.0);
     const auto move = [&](int s, int c) {
@@ -250,10 +254,11 @@ double ParticleDynamics::advance_as(const M& motion, const core::Team& team, con
         sum_chunk(s, c, sums, energy ? &*energy : nullptr);
         greatest[index_of(s)] = std::max(greatest[index_of(s)], move_chunk(particles, sums, motion, times));
         if (energy) finish_budget(particles, energy_, sums, *energy, times.step);
-        records_.update(particles, sums.begin, sums.end);
     };
     team.run(segments, [&](int s) {
+        const PairScene scene{particles, records_.seen_by(s), pairs_, slots_, shifts_, pair_laws_, parameters_.seed};
         for (int c = chunks_.segments[index_of(s)]; c < chunks_.segments[index_of(s) + 1]; ++c) {
+            records_.enter(particles, s, c);
             pair_forces(scene, near_, c, forces_);
             if (!chunks_.deferred[index_of(c)]) move(s, c);
         }
@@ -261,7 +266,10 @@ double ParticleDynamics::advance_as(const M& motion, const core::Team& team, con
     if (segments > 1)
         team.run(segments, [&](int s) {
             for (int c = chunks_.segments[index_of(s)]; c < chunks_.segments[index_of(s) + 1]; ++c)
-                if (chunks_.deferred[index_of(c)]) move(s, c);
+                if (chunks_.deferred[index_of(c)]) {
+                    if (!walls_.empty()) records_.copy(particles, s, c);
+                    move(s, c);
+                }
         });
     return *std::max_element(greatest.begin(), greatest.end());
 }

@@ -57,18 +57,21 @@ public:
     /// @returns the greatest square of speed of this rank [m2/s2].
     double advance(const Motion& motion, const core::Team& team, int sub_step, int sub_steps);
     /// To be called when ghosts have moved.
-    void ghosts_moved() { records_.update(particles, particles.owned, particles.size()); }
+    void ghosts_moved()
+    {
+        if (planned_threads_ > 0) records_.update_ghosts(particles);
+    }
     /// Books the way that the fastest particle may have gone. @param speed2  Greatest square of speed of all ranks [m2/s2].
     void account(double speed2, double time);
     /// True when some pair outside the lists might touch, judged by speeds; the same answer on all ranks.
     [[nodiscard]] bool needs_check() const { return !built_ || 2.0 * (travelled_ + wall_way_) >= skin_; }
-    /// Greatest true displacement of an owned particle since the last rebuild [m].
-    [[nodiscard]] double displacement() const;
+    /// A bound on the displacement of any owned particle since the last rebuild, true but for single precision [m].
+    [[nodiscard]] double displacement(const core::Team& team) const;
     /// Goes on with the lists if the greatest displacement of all ranks allows. @returns false if a rebuild must follow.
     [[nodiscard]] bool keep_lists(double greatest_displacement);
 
     /// Moves all springs to `history`, drops ghosts and lists, and brings owned particles back into a periodic domain.
-    void dissolve();
+    void dissolve(const core::Team& team = core::SerialTeam{});
     /// Drops ghosts and lists with all their springs: to be followed by setting particles and history anew.
     void forget_lists();
     /// Bounds of the owned particles [m].
@@ -116,14 +119,13 @@ private:
     double least_radius_ = std::numeric_limits<double>::infinity(); // greatest radius of the octave of the smallest
     double skin_ = 0.0, near_skin_ = 0.0;
     core::LevelBins bins_;
-    core::CellLists cells_;
     core::PairList pairs_;
     core::NearPairs near_;
     core::ChunkPlan chunks_;
     core::PairSlots slots_;
     PairForces forces_;
     MotionRecords records_;
-    core::Triple reference_; // positions at the last rebuild
+    std::array<std::vector<float>, 3> reference_; // positions at the last rebuild, from the low corner of `extent_`
     bool built_ = false, near_built_ = false;
     double travelled_ = 0.0, near_travelled_ = 0.0;
     std::optional<double> begin_; // time at the beginning of the batch

@@ -27,9 +27,8 @@ std::size_t room_of(const core::ParticleSet& p)
 
 std::size_t room_of(const core::PairList& pairs, const core::NearPairs& near)
 {
-    std::size_t bytes = room_of_all(pairs.first, pairs.second, pairs.image, pairs.row_begin, pairs.row);
-    bytes += room_of_all(near.first, near.second, near.pair, near.row, near.row_end, near.order);
-    bytes += room(near.pair); // as much again: the slot of each pair
+    std::size_t bytes = room_of_all(pairs.first, pairs.second, pairs.image, pairs.row_begin, pairs.places);
+    bytes += room_of_all(near.row, near.row_end, near.order);
     for (const auto& column : near.spring) bytes += room(column);
     return bytes;
 }
@@ -39,8 +38,8 @@ std::size_t room_of(const core::PairList& pairs, const core::NearPairs& near)
 std::size_t ParticleDynamics::bytes() const
 {
     return room_of(particles) + room_of(pairs_, near_) +
-           room_of_all(history.start, history.other, history.spring, forces_.forces, forces_.couples) +
-           particles.id.capacity() * sizeof(MotionRecords::Record) + room_of_all(reference_[0], reference_[1], reference_[2]);
+           room_of_all(history.start, history.other, history.spring, forces_.forces, forces_.couples, forces_.books) + records_.bytes() +
+           room_of_all(reference_[0], reference_[1], reference_[2]);
 }
 
 } // namespace physics

@@ -2,48 +2,45 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Position, velocity, spin and radius of each particle side by side: what a contact reads comes from two cache lines.
-#include "core/base/four.hpp"
-#include "core/particles/particle_set.hpp"
-
-#include <span>
+#include "core/particles/chunk_windows.hpp"
 
 namespace physics {
 
-/// A copy of the particles' columns, brought up to date by whoever moves particles.
+/// Copies of the particles' columns, for as long as contacts read them.
 class MotionRecords {
 public:
     /// Of one particle: (x, y, z, 1 / mass, vx, vy, vz, 0), (wx, wy, wz, radius).
     struct alignas(32) Record {
         double motion[8], spin[4];
     };
+    /// What the pairs of one segment see.
+    struct View {
+        const Record* records;
+        const int* offset;
+        /// Of particle i of the set. @pre it is in the window
+        [[nodiscard]] const Record& operator[](int i) const
+        {
+            return records[i + offset[unsigned(i) / unsigned(core::particles_per_chunk)]];
+        }
+    };
 
-    void resize(int particles) { records_.resize(std::size_t(particles)); }
-    /// Copies particles [begin, end).
-    void update(const core::ParticleSet& p, int begin, int end)
+    /// Makes room, and copies the ghosts. @param chunks  How the chunks of `pairs` will run.
+    void plan(const core::ParticleSet& particles, const core::PairList& pairs, const core::ChunkPlan& chunks);
+    /// Copies ghosts that have moved.
+    void update_ghosts(const core::ParticleSet& particles);
+    /// Copies what the pairs of `chunk` are the first of its segment to read.
+    void enter(const core::ParticleSet& particles, int segment, int chunk)
     {
-        auto i = std::size_t(begin);
-        for (; i + 4 <= std::size_t(end); i += 4) update_four(p, i);
-        for (; i < std::size_t(end); ++i)
-            records_[i] = {{p.position[0][i], p.position[1][i], p.position[2][i], 1.0 / p.mass[i], p.velocity[0][i], p.velocity[1][i],
-                            p.velocity[2][i], 0.0},
-                           {p.spin[0][i], p.spin[1][i], p.spin[2][i], p.radius[i]}};
+        for (const int next : windows_.enter[std::size_t(chunk)]) copy(particles, segment, next);
     }
-    [[nodiscard]] const Record* data() const { return records_.data(); }
+    /// Copies a chunk in the place of those that have left its segment's window. @pre the pairs of the segment are done
+    void copy(const core::ParticleSet& particles, int segment, int chunk);
+    [[nodiscard]] View seen_by(int segment) const { return {records_.data(), windows_.offset[std::size_t(segment)].data()}; }
+    [[nodiscard]] std::size_t bytes() const { return records_.capacity() * sizeof(Record); }
 
 private:
-    void update_four(const core::ParticleSet& p, std::size_t i)
-    {
-        const auto four = [i](const core::Column& column) { return core::load_four(column.data() + i); };
-        core::Four x[] = {four(p.position[0]), four(p.position[1]), four(p.position[2]), 1.0 / four(p.mass)};
-        core::Four v[] = {four(p.velocity[0]), four(p.velocity[1]), four(p.velocity[2]), core::Four{}};
-        core::Four w[] = {four(p.spin[0]), four(p.spin[1]), four(p.spin[2]), four(p.radius)};
-        for (auto* rows : {x, v, w}) core::transpose(rows[0], rows[1], rows[2], rows[3]);
-        for (std::size_t k = 0; k < 4; ++k) {
-            core::store_four(records_[i + k].motion, x[k]);
-            core::store_four(records_[i + k].motion + 4, v[k]);
-            core::store_four(records_[i + k].spin, w[k]);
-        }
-    }
+    void update(const core::ParticleSet& particles, int begin, int end, int offset);
+    core::ChunkWindows windows_;
     std::vector<Record> records_;
 };
 

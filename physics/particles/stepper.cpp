@@ -62,7 +62,7 @@ bool ParticleStepper::work(const core::Team& team)
         if (handing_over_) {
             have_ghosts_ = handing_over_ = false;
             dynamics_.measure_watched(team);
-            dynamics_.dissolve();
+            dynamics_.dissolve(team);
             pack_leavers();
             wait_ = Wait::leaver_lengths;
             return true;
@@ -118,7 +118,7 @@ void ParticleStepper::after_speeds(const core::Team& team)
     }
     dynamics_.move_walls(sub_step_);
     if (dynamics_.needs_check()) {
-        shared_[0] = dynamics_.displacement();
+        shared_[0] = dynamics_.displacement(team);
         wait_ = Wait::displacement;
     } else sub_step(team);
 }
@@ -135,7 +135,7 @@ void ParticleStepper::sub_step(const core::Team& team)
 void ParticleStepper::start_rebuild(const core::Team& team)
 {
     have_ghosts_ = false;
-    dynamics_.dissolve();
+    dynamics_.dissolve(team);
     const auto& particles = dynamics_.particles;
     const auto bounds = dynamics_.bounds();
     for (int a = 0; a < 3; ++a) {

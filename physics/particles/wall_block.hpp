@@ -68,7 +68,7 @@ struct alignas(64) WallBlock {
 
     static constexpr int whole(int n) { return (n + width - 1) / width * width; }
 
-    void read(const MotionRecords::Record* records, const WallColumns& wall, int begin)
+    void read(const MotionRecords::View& records, const WallColumns& wall, int begin)
     {
         count = std::min(size, wall.end - begin);
         for (int k = 0; k < whole(count); ++k) particle[k] = wall.particle[begin + std::min(k, count - 1)];
@@ -139,12 +139,12 @@ void evaluate_wall(WallBlock& b, const Meet meet, const Law law, const WallSums&
 
 /// The contacts of particles whose law with the wall is `law`. @param noted  As in evaluate_wall().
 template <class Meet, class Law, class Notes>
-void run_contacts(const MotionRecords& records, const WallColumns& wall, const Meet& meet, const Law& law, const WallSums& sums,
+void run_contacts(const MotionRecords::View& records, const WallColumns& wall, const Meet& meet, const Law& law, const WallSums& sums,
                   Notes& notes, int noted)
 {
     WallBlock block;
     for (int begin = wall.begin; begin < wall.end; begin += WallBlock::size) {
-        block.read(records.data(), wall, begin);
+        block.read(records, wall, begin);
         const int place = noted + begin - wall.begin;
         if (sums.energy) evaluate_wall<Budget::kept>(block, meet, law, sums, notes, place);
         else evaluate_wall<Budget::none>(block, meet, law, sums, notes, place);

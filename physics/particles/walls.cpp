@@ -196,7 +196,7 @@ void WallContacts::append_row(int i, core::ContactHistory& history) const
     }
 }
 
-void WallContacts::add_forces(const MotionRecords& records, const ContactLaws& laws, int chunk, const WallSums& sums)
+void WallContacts::add_forces(const MotionRecords::View& records, const ContactLaws& laws, int chunk, const WallSums& sums)
 {
     for (std::size_t w = 0; w < walls_.size(); ++w) {
         auto& list = lists_[w];

@@ -47,7 +47,7 @@ public:
     void append_row(int i, core::ContactHistory& history) const;
     /// Adds the forces of the walls to those of `chunk`, wall by wall, and moves the springs one step on.
     /// @param laws  One for each species, or one for all.
-    void add_forces(const MotionRecords& records, const ContactLaws& laws, int chunk, const WallSums& sums);
+    void add_forces(const MotionRecords::View& records, const ContactLaws& laws, int chunk, const WallSums& sums);
     [[nodiscard]] bool empty() const { return walls_.empty(); }
 
     void move_to(const WallTime& at);

@@ -53,7 +53,7 @@ void compare(const core::Domain& domain, double small, double large)
     CHECK(sizes.count() == (large > 2 * small ? 2 : 1));
     const auto bins = core::make_level_bins(domain, bounds, sizes, skin, set.owned);
     set.reorder(core::order_by_bin(set, bins.finest()));
-    const core::PairList pairs = test::listed_pairs(set, bins, skin);
+    core::PairList pairs = test::listed_pairs(set, bins, skin);
     core::NearPairs near;
     core::ContactHistory none;
     for (int i = 0; i < set.owned; ++i) none.end_row();
@@ -70,7 +70,7 @@ void compare(const core::Domain& domain, double small, double large)
     for (int c = 0; c < pairs.chunks(); ++c)
         for (const auto& run : near.runs[std::size_t(c)])
             for (int m = run.begin; m < run.end; ++m)
-                near_listed.insert({set.id[std::size_t(near.first[std::size_t(m)])], set.id[std::size_t(near.second[std::size_t(m)])]});
+                near_listed.insert({set.id[std::size_t(pairs.first[std::size_t(m)])], set.id[std::size_t(pairs.second[std::size_t(m)])]});
     const auto wanted = brute_force(set, domain, skin - margin);
     for (const auto& key : wanted) CHECK(listed.count(key) == 1);
     CHECK(near_listed == wanted);

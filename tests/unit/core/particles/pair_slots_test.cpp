@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Isago authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/random.hpp"
-#include "core/particles/pair_slots.hpp"
+#include "core/particles/chunk_windows.hpp"
 #include "tests/support/listed_pairs.hpp"
 #include <doctest/doctest.h>
 
@@ -103,4 +103,32 @@ TEST_CASE("one thread needs slots for a few chunks, not for all")
     core::PairSlots slots;
     slots.plan(pairs, plan_of(pairs, 1));
     CHECK(slots.count < pairs.size() / 2); // the first chunk is read by the last, through the periodic sides, and keeps its own
+}
+
+TEST_CASE("pairs find the copies of all particles that they read, ghosts too, in few places")
+{
+    const core::PairList pairs = pairs_in_a_row(6000);
+    constexpr int size = core::particles_per_chunk, owned = 6000, ghosts = 700; // the last chunk of owned ones has ghosts, too
+    for (const int segments : {1, 2, 5}) {
+        const core::ChunkPlan plan = plan_of(pairs, segments);
+        core::ChunkWindows windows;
+        windows.plan(pairs, plan, owned, ghosts);
+        std::vector<int> holder(std::size_t(windows.count), -1); // the chunk whose copies a place holds
+        const auto place = [&](int segment, int i) { return i + windows.offset[std::size_t(segment)][std::size_t(i / size)]; };
+        for (int i = windows.first_ghost; i < owned + ghosts; ++i) holder.at(std::size_t(place(0, i))) = i / size;
+        for (int s = 0; s < segments; ++s)
+            for (int c = plan.segments[std::size_t(s)]; c < plan.segments[std::size_t(s) + 1]; ++c) {
+                for (const int next : windows.enter[std::size_t(c)])
+                    for (int i = next * size; i < std::min(owned + ghosts, next * size + size); ++i)
+                        holder.at(std::size_t(place(s, i))) = next;
+                const auto holds = [&](int i) { return holder.at(std::size_t(place(s, i))) == i / size; };
+                for (int p = pairs.chunk_begin[std::size_t(c)]; p < pairs.chunk_begin[std::size_t(c) + 1]; ++p) {
+                    CHECK(holds(pairs.first[std::size_t(p)]));
+                    CHECK(holds(pairs.second[std::size_t(p)]));
+                }
+                CHECK(holds(owned));
+                CHECK(holds(owned + ghosts - 1));
+            }
+        if (segments == 1) CHECK(windows.count - ghosts < owned / 2); // the last chunk is read by the first, through the periodic sides
+    }
 }

@@ -9,12 +9,17 @@
 namespace core {
 namespace {
 
-std::vector<Quad> boundary_quads(const Mesh& mesh, std::span<const std::string> names)
+struct Face {
+    Quad corners;
+    int name;
+};
+
+std::vector<Face> boundary_quads(const Mesh& mesh, std::span<const std::string> names)
 {
-    std::vector<Quad> quads;
+    std::vector<Face> quads;
     for_each_boundary_face(mesh, names, [&](const Boundary& boundary, Quad q) {
         if (is_high(boundary.side)) std::swap(q[1], q[3]);
-        quads.push_back(q);
+        quads.push_back({q, int(std::find(names.begin(), names.end(), boundary.name) - names.begin())});
     });
     return quads;
 }
@@ -26,28 +31,29 @@ struct Slab {
 double along(const Vec3& x, const Vec3& period) { return x.dot(period) / period.norm(); }
 
 /// Adds the images of quads that lie within `margin` of the two ends of a period.
-void continue_through(std::vector<Quad>& quads, const Vec3& period, double margin)
+void continue_through(std::vector<Face>& quads, const Vec3& period, double margin)
 {
     Slab slab{std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest()};
-    for (const Quad& q : quads)
+    for (const auto& [q, name] : quads)
         for (const Vec3& x : q) slab = {std::min(slab.low, along(x, period)), std::max(slab.high, along(x, period))};
     const std::size_t originals = quads.size();
     for (std::size_t n = 0; n < originals; ++n)
         for (const double sign : {-1.0, 1.0}) {
             const Vec3 shift = sign * period;
-            const bool near = std::any_of(quads[n].begin(), quads[n].end(), [&](const Vec3& x) {
+            const auto [q, name] = quads[n];
+            const bool near = std::any_of(q.begin(), q.end(), [&](const Vec3& x) {
                 const double s = along(x + shift, period);
                 return s > slab.low - margin && s < slab.high + margin;
             });
-            if (near) quads.push_back({quads[n][0] + shift, quads[n][1] + shift, quads[n][2] + shift, quads[n][3] + shift});
+            if (near) quads.push_back({{q[0] + shift, q[1] + shift, q[2] + shift, q[3] + shift}, name});
         }
 }
 
 /// Gives every place one number; places closer than `tolerance` are one.
-Surface welded(const std::vector<Quad>& quads, double tolerance)
+Surface welded(const std::vector<Face>& quads, double tolerance)
 {
     std::vector<Vec3> corners;
-    for (const Quad& q : quads) corners.insert(corners.end(), q.begin(), q.end());
+    for (const auto& [q, name] : quads) corners.insert(corners.end(), q.begin(), q.end());
     std::vector<int> order(corners.size());
     std::iota(order.begin(), order.end(), 0);
     std::sort(order.begin(), order.end(),
@@ -65,8 +71,10 @@ Surface welded(const std::vector<Quad>& quads, double tolerance)
         mine = int(surface.vertices.size());
         surface.vertices.push_back(x);
     }
-    for (std::size_t q = 0; q < quads.size(); ++q)
+    for (std::size_t q = 0; q < quads.size(); ++q) {
         surface.quads.push_back({number[4 * q], number[4 * q + 1], number[4 * q + 2], number[4 * q + 3]});
+        surface.name.push_back(quads[q].name);
+    }
     return surface;
 }
 
@@ -76,7 +84,7 @@ Surface boundary_surface(const Mesh& mesh, std::span<const std::string> names, d
 {
     auto quads = boundary_quads(mesh, names);
     double smallest = std::numeric_limits<double>::max();
-    for (const Quad& q : quads)
+    for (const auto& [q, name] : quads)
         for (std::size_t n = 0; n < 4; ++n) smallest = std::min(smallest, (q[n] - q[(n + 1) % 4]).norm());
     for (const Vec3& period : mesh.periods()) continue_through(quads, period, margin);
     Surface surface = welded(quads, 1e-6 * smallest);

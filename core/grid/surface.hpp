@@ -9,6 +9,7 @@ namespace core {
 struct Surface {
     std::vector<Vec3> vertices;            ///< each place once [m]
     std::vector<std::array<int, 4>> quads; ///< corners in cyclic order, the normal pointing into the domain
+    std::vector<int> name;                 ///< of each, the place of its boundary's name among those that were asked for
 };
 
 /// All boundary faces of all blocks whose boundary has one of `names`, the same on every rank. Through periods the

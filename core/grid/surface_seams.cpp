@@ -91,19 +91,26 @@ void close_seams(Surface& surface)
 {
     const OpenEdges open(surface);
     std::vector<QuadCorners> quads;
-    for (const QuadCorners& quad : surface.quads) {
+    std::vector<int> names;
+    for (std::size_t q = 0; q < surface.quads.size(); ++q) {
+        const QuadCorners quad = surface.quads[q];
         const Rim rim = rim_of(surface, quad, open);
+        const auto add = [&](const QuadCorners& part) {
+            quads.push_back(part);
+            names.push_back(surface.name[q]);
+        };
         if (rim.edges.empty()) {
-            quads.push_back(quad);
+            add(quad);
             continue;
         }
         const int apex = apex_of(surface, quad, rim);
         for (std::size_t n = 0; n < rim.vertices.size(); ++n) {
             const int from = rim.vertices[n], to = rim.vertices[(n + 1) % rim.vertices.size()];
-            if (from != apex && to != apex && from != to) quads.push_back({apex, from, to, to});
+            if (from != apex && to != apex && from != to) add({apex, from, to, to});
         }
     }
     surface.quads = std::move(quads);
+    surface.name = std::move(names);
 }
 
 } // namespace core

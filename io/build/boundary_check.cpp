@@ -154,4 +154,25 @@ void check_boundaries(const Scene& scene, const Locations& locations, Problems& 
     }
 }
 
+void check_contact_sides(const Scene& scene, const Locations& locations, Problems& problems)
+{
+    const auto& all = scene.contact->sides;
+    if (all.empty() || !locations.good("grid") || !locations.good("grid.periodic")) return;
+    if (scene.contact->walls == WallShape::none)
+        return problems.add(locations.at("contact.sides"), "'sides' mean nothing for walls: none", "remove them, or write walls: faces");
+    try {
+        const std::vector<std::string> names = BoundarySides(scene.grid).names();
+        for (std::size_t n = 0; n < all.size(); ++n) {
+            const std::string path = fmt::format("contact.sides.{}.at", n);
+            if (!locations.good(path)) continue;
+            if (std::find(names.begin(), names.end(), all[n].at) == names.end())
+                complain_of_name(all[n].at, names, scene.grid, locations.at(path), problems);
+            if (std::any_of(all.begin(), all.begin() + std::ptrdiff_t(n), [&](const ContactSide& s) { return s.at == all[n].at; }))
+                problems.add(locations.at(path), fmt::format("the material of '{}' is given twice", all[n].at), "keep one of the two");
+        }
+    } catch (const core::ConfigError& error) { // sides that cannot be matched
+        problems.add(locations.at("grid"), error.what(), "");
+    }
+}
+
 } // namespace io

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/build/contact_builder.hpp"
 #include "io/build/physics_builder.hpp"
+#include "io/build/wall_materials.hpp"
 #include "physics/particles/time_step.hpp"
 
 #include <algorithm>
@@ -36,7 +37,7 @@ Compliance compliance_of(const Contact& contact, std::string_view name)
     return {(1 - poisson * poisson) / young, 2 * (2 - poisson) * (1 + poisson) / young};
 }
 
-/// The contact of two that have these names. @param mass  Reduced mass [kg].
+/// The contact of two materials. @param mass  Reduced mass [kg].
 ContactParameters parameters_of(const Contact& contact, std::string_view one, std::string_view other, double mass)
 {
     ContactPair pair;
@@ -80,14 +81,15 @@ void set_contacts(const Scene& scene, physics::ParticleParameters& parameters)
     parameters.species = int(scene.particles.size());
     parameters.pairs.clear();
     parameters.walls.clear();
-    for (const Species& a : scene.particles) {
-        const double mass = mean_mass(scene, a);
+    for (const Species& a : scene.particles)
         for (const Species& b : scene.particles) {
-            const double other = mean_mass(scene, b);
-            add(parameters.pairs, a.name, b.name, mass > 0 ? mass * other / (mass + other) : 0.0);
+            const double mass = mean_mass(scene, a), other = mean_mass(scene, b);
+            add(parameters.pairs, material_of(a), material_of(b), mass > 0 ? mass * other / (mass + other) : 0.0);
         }
-        add(parameters.walls, a.name, wall_word, mass);
-    }
+    const WallMaterials walls(scene);
+    parameters.wall_materials = int(walls.names().size());
+    for (const std::string& wall : walls.names())
+        for (const Species& a : scene.particles) add(parameters.walls, material_of(a), wall, mean_mass(scene, a));
     unite(parameters.pairs);
     unite(parameters.walls);
 }

@@ -8,7 +8,7 @@
 
 namespace io {
 
-/// Contacts between all pairs of species, and of all species with walls; single entries where all are equal. @pre scene.contact
+/// Contacts between all pairs of species, and of all species with all materials of walls; single entries where all are equal. @pre scene.contact
 void set_contacts(const Scene& scene, physics::ParticleParameters& parameters);
 
 /// The speed of impacts for which Hertz' springs get their time step: as the scene says, or the greatest of the speeds at which

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Checks of what a scene says of its contacts.
 #include "io/build/contact_builder.hpp"
+#include "io/build/wall_materials.hpp"
 #include "io/scene/scene_reader.hpp"
 
 #include <algorithm>
@@ -16,12 +17,17 @@ public:
     ContactChecker(const Scene& scene, const Locations& locations, Problems& problems)
         : contact_(*scene.contact), scene_(scene), locations_(locations), problems_(problems)
     {
-        for (const Species& species : scene.particles) names_.push_back(species.name);
-        names_.emplace_back(wall_word);
+        const auto add = [&](const std::string& name) {
+            if (std::find(names_.begin(), names_.end(), name) == names_.end()) names_.push_back(name);
+        };
+        for (const Species& species : scene.particles) add(material_of(species));
+        of_species_ = names_.size();
+        for (const std::string& wall : WallMaterials(scene).names()) add(wall);
     }
 
     void check()
     {
+        check_contact_sides(scene_, locations_, problems_);
         check_materials();
         check_pairs();
         if (!locations_.good("contact")) return;
@@ -54,7 +60,14 @@ private:
     bool check_name(const std::string& path, const std::string& name)
     {
         if (std::find(names_.begin(), names_.end(), name) != names_.end()) return true;
-        complain(path, fmt::format("there is no species '{}'", name), suggestion(name, names_));
+        for (const Species& species : scene_.particles)
+            if (species.name == name) {
+                complain(path, fmt::format("'{}' is of the material '{}'", name, species.material), "name the material");
+                return false;
+            }
+        const auto named = [&](const WallKeys& wall) { return wall.name == name; };
+        const bool is_wall = std::any_of(scene_.walls.begin(), scene_.walls.end(), named);
+        complain(path, fmt::format("nothing is made of '{}'", name), is_wall ? "give that wall a 'material'" : suggestion(name, names_));
         return false;
     }
 
@@ -75,10 +88,17 @@ private:
             const std::string path = fmt::format("contact.pairs.{}.between", n);
             const auto& [one, other] = contact_.pairs[n].between;
             if (!locations_.good(path) || !check_name(path, one) || !check_name(path, other)) continue;
-            if (one == wall_word && other == wall_word) complain(path, "walls do not meet each other", "name a species");
+            if (is_of_walls_alone(one) && is_of_walls_alone(other))
+                complain(path, "walls do not meet each other", "name what particles are made of");
             else if (!seen.insert({one, other}).second)
                 complain(path, fmt::format("the pair of '{}' and '{}' is given twice", one, other), "keep one of them");
         }
+    }
+
+    [[nodiscard]] bool is_of_walls_alone(const std::string& name) const
+    {
+        const auto end = names_.begin() + std::ptrdiff_t(of_species_);
+        return std::find(names_.begin(), end, name) == end;
     }
 
     [[nodiscard]] const ContactPair* pair_of(const std::string& a, const std::string& b) const
@@ -92,9 +112,8 @@ private:
     template <class Visit>
     void for_each_pair(Visit visit) const
     {
-        for (std::size_t a = 0; a < names_.size(); ++a)
+        for (std::size_t a = 0; a < of_species_; ++a)
             for (std::size_t b = a; b < names_.size(); ++b) {
-                if (a + 1 == names_.size()) continue;
                 const ContactPair* pair = pair_of(names_[a], names_[b]);
                 visit(names_[a], names_[b], pair && pair->law ? *pair->law : contact_.law, pair);
             }
@@ -116,11 +135,16 @@ private:
                 complain("contact.collision_time", fmt::format("'collision_time' needs the sizes of '{}'", species.name),
                          "give the stiffness instead");
         if (contact_.stiffness || contact_.collision_time) return;
-        bool missing = false;
-        for_each_pair([&](const auto&, const auto&, ContactLaw law, const ContactPair* pair) {
-            missing = missing || (law == ContactLaw::linear && !(pair && pair->stiffness));
+        std::string missing;
+        bool some = false;
+        for_each_pair([&](const std::string& a, const std::string& b, ContactLaw law, const ContactPair* pair) {
+            const bool has = pair && pair->stiffness;
+            some = some || has;
+            if (law == ContactLaw::linear && !has && missing.empty()) missing = fmt::format(" between '{}' and '{}'", a, b);
         });
-        if (missing) complain("contact", "law: linear needs 'stiffness'", "add stiffness: 5 kN/m, or collision_time: 0.1 ms");
+        if (!missing.empty())
+            complain("contact", "law: linear needs 'stiffness'" + (some ? missing : ""),
+                     "add stiffness: 5 kN/m, or collision_time: 0.1 ms");
     }
 
     void check_hertz()
@@ -146,7 +170,8 @@ private:
     const Scene& scene_;
     const Locations& locations_;
     Problems& problems_;
-    std::vector<std::string> names_; ///< Of all species, then of the walls.
+    std::vector<std::string> names_; ///< Materials: of all species, then those of walls alone.
+    std::size_t of_species_ = 0;     ///< How many are of species.
 };
 
 } // namespace

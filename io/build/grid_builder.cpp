@@ -203,15 +203,20 @@ core::Domain make_domain(const Grid& grid)
     return domain;
 }
 
-std::vector<physics::Wall> primitive_walls(const Grid& grid)
+std::vector<physics::Wall> primitive_walls(const Grid& grid, const WallMaterials& materials)
 {
     const core::Domain domain = make_domain(grid);
     std::vector<physics::Wall> walls;
-    if (grid.pipe) walls.push_back(physics::CylinderWall{-domain.origin, core::Vec3::UnitX(), grid.pipe->diameter / 2});
+    const auto add = [&](auto wall, const std::string& side) {
+        wall.material = materials.of_side(side);
+        walls.push_back(wall);
+    };
+    if (grid.pipe) add(physics::CylinderWall{-domain.origin, core::Vec3::UnitX(), grid.pipe->diameter / 2}, "wall");
     for (int axis = 0; axis < (grid.pipe ? 1 : 3); ++axis) {
         if (grid.is_periodic(axis)) continue;
-        walls.push_back(physics::PlaneWall{core::Vec3::Zero(), core::Vec3::Unit(axis)});
-        walls.push_back(physics::PlaneWall{domain.size, -core::Vec3::Unit(axis)});
+        const std::string letter(axis_words[std::size_t(axis) + 1]);
+        add(physics::PlaneWall{core::Vec3::Zero(), core::Vec3::Unit(axis)}, letter + "_low");
+        add(physics::PlaneWall{domain.size, -core::Vec3::Unit(axis)}, letter + "_high");
     }
     return walls;
 }

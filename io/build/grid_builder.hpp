@@ -4,6 +4,7 @@
 // From what a scene says about space to the mesh and to the box and walls of the particles.
 #include "core/grid/mesh.hpp"
 #include "core/particles/domain.hpp"
+#include "io/build/wall_materials.hpp"
 #include "io/scene/scene.hpp"
 #include "physics/particles/walls.hpp"
 
@@ -26,7 +27,7 @@ void require_turn_joins(const Grid& grid);
 [[nodiscard]] core::Domain make_domain(const Grid& grid);
 
 /// The walls of a pipe or box as planes and cylinders, relative to the domain's origin.
-[[nodiscard]] std::vector<physics::Wall> primitive_walls(const Grid& grid);
+[[nodiscard]] std::vector<physics::Wall> primitive_walls(const Grid& grid, const WallMaterials& materials);
 
 /// Names of the boundaries, in the order of the alphabet.
 [[nodiscard]] std::vector<std::string> boundary_names(const core::Topology& topology);

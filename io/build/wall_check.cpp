@@ -45,7 +45,13 @@ void read_wall_files(std::vector<WallKeys>& walls, const std::filesystem::path& 
         std::string& file = walls[n].stl->file;
         file = std::filesystem::absolute(folder / file).lexically_normal().string();
         try {
-            (void)physics::joined_triangles(triangles_of(walls[n]));
+            const physics::TriangleMesh mesh = physics::joined_triangles(triangles_of(walls[n]));
+            const auto rim = walls[n].stl->particles ? physics::rim_of(mesh) : std::nullopt;
+            if (rim)
+                problems.add(
+                    locations.at(fmt::format("walls.{}.stl.particles", n)),
+                    fmt::format("the surface is open at ({:.6g}, {:.6g}, {:.6g}) m: it has no inside", rim->x(), rim->y(), rim->z()),
+                    "remove it, or close the surface");
         } catch (const core::ConfigError& error) {
             problems.add(locations.at(path), error.what(), "");
             locations.spoil(path);

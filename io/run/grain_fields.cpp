@@ -22,7 +22,7 @@ core::ScalarField scalar(const core::Mesh& mesh, const char* name, const char* u
 /// Sums over the grains of a cell. Moments of velocities are taken against the velocity of the first grain, so that they lose no digits.
 struct GrainFields::Cell {
     int count = 0;
-    double volume = 0, mass = 0, contacts = 0;
+    double volume = 0, mass = 0, contacts = 0, wall_contacts = 0;
     core::Vec3 first = core::Vec3::Zero(), momentum = core::Vec3::Zero();
     std::array<double, 6> squares{}, stress{};
 
@@ -37,6 +37,7 @@ struct GrainFields::Cell {
         for (std::size_t n = 0; n < 6; ++n) squares[n] += p.mass[i] * against[stress_axes[n][0]] * against[stress_axes[n][1]];
         if (columns == nullptr) return;
         contacts += p.columns[std::size_t(columns->coordination)][i];
+        wall_contacts += p.columns[std::size_t(columns->wall_coordination)][i];
         for (std::size_t n = 0; n < 6; ++n) stress[n] += p.columns[std::size_t(columns->stress) + n][i];
     }
 
@@ -56,7 +57,7 @@ GrainFields::GrainFields(const World& world)
     velocity_.allocate();
     temperature_.allocate();
     if (!world.grains()->contact_columns()) return;
-    contacts_.push_back(scalar(world.mesh(), "coordination", "1"));
+    for (const char* name : {"coordination", "wall_coordination"}) contacts_.push_back(scalar(world.mesh(), name, "1"));
     for (const char* name : stress_names) stress_.push_back(scalar(world.mesh(), name, "Pa"));
     for (auto* fields : {&contacts_, &stress_})
         for (core::ScalarField& field : *fields) field.allocate();
@@ -75,6 +76,7 @@ void GrainFields::write(core::LocalBlock b, const core::Index3& c, const Cell& s
     temperature_.on(b)[c] = some ? std::max(0.0, trace / (3.0 * sums.mass)) : 0.0;
     if (stress_.empty()) return;
     contacts_[0].on(b)[c] = some ? sums.contacts / sums.count : 0.0;
+    contacts_[1].on(b)[c] = some ? sums.wall_contacts / sums.count : 0.0;
     for (std::size_t n = 0; n < 6; ++n) stress_[n].on(b)[c] = some ? (sums.stress[n] + sums.fluctuation(n)) / volume : 0.0;
 }
 

@@ -23,9 +23,9 @@ public:
     [[nodiscard]] const core::VectorField& velocity() const { return velocity_; }
     /// A third of the mean square of velocities against their mean, by mass [m2/s2].
     [[nodiscard]] const core::ScalarField& temperature() const { return temperature_; }
-    /// Mean number of contacts with others; empty unless the scene measures contacts [-].
+    /// Mean number of contacts with others, and with walls; empty unless the scene measures contacts [-].
     [[nodiscard]] const std::vector<core::ScalarField>& contacts() const { return contacts_; }
-    /// xx yy zz yz zx xy of contacts and of velocities against their mean, positive under pressure; empty unless the scene measures
+    /// xx yy zz yz zx xy of contacts, with walls, too, and of velocities against their mean, positive under pressure; empty unless the scene measures
     /// contacts [Pa].
     [[nodiscard]] const std::vector<core::ScalarField>& stress() const { return stress_; }
 

@@ -154,6 +154,8 @@ bool GrainTraffic::let_in(double time, const physics::OwnerOf& owner_of, physics
                           const core::Communicator& ranks)
 {
     const std::int64_t next = state_.next_id;
+    dynamics.place_surfaces(time);
+    const physics::Obstacles obstacles = obstacles_of(walls_, dynamics);
     for (std::size_t n = 0; n < inflows_.size(); ++n) {
         const core::ParticleSet& p = dynamics.particles;
         std::vector<Near> mine;
@@ -169,7 +171,7 @@ bool GrainTraffic::let_in(double time, const physics::OwnerOf& owner_of, physics
             sphere.radius = s.radius;
         }
         const std::int64_t first = state_.next_id;
-        const auto all = physics::entering(inflows_[n], time, domain_, walls_, seed_, near, state_.next_id, state_.entered[n]);
+        const auto all = physics::entering(inflows_[n], time, domain_, obstacles, seed_, near, state_.next_id, state_.entered[n]);
         state_.count += state_.next_id - first;
         for (const core::Sphere& s : all) state_.marks = (state_.marks + mark_of(s.id)) % whole_doubles;
         add_grains(all, owner_of, ranks.rank(), dynamics);

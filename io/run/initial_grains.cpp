@@ -29,7 +29,7 @@ physics::Group group_of(const Species& s, std::int32_t number, const core::Domai
     return group;
 }
 
-Spheres placed(const Scene& scene, const core::Domain& domain)
+Spheres placed(const Scene& scene, const core::Domain& domain, const physics::Obstacles& obstacles)
 {
     std::vector<physics::Group> groups;
     const Initial* initial = nullptr; // the first that places anything speaks for all
@@ -42,10 +42,10 @@ Spheres placed(const Scene& scene, const core::Domain& domain)
     if (initial == nullptr) return {};
     const auto seed = std::uint64_t(scene.run.random_seed);
     switch (initial->arrangement) {
-    case Arrangement::random: return physics::place_at_random(domain, walls_at_start(scene, domain), groups, seed);
-    case Arrangement::lattice: return physics::place_on_lattice(domain, walls_at_start(scene, domain), groups, seed);
+    case Arrangement::random: return physics::place_at_random(domain, obstacles, groups, seed);
+    case Arrangement::lattice: return physics::place_on_lattice(domain, obstacles, groups, seed);
     case Arrangement::packed: return physics::place_packed(domain, groups, initial->spacing, seed);
-    case Arrangement::dense: return physics::place_densely(domain, walls_at_start(scene, domain), groups, seed);
+    case Arrangement::dense: return physics::place_densely(domain, obstacles, groups, seed);
     }
     return {};
 }
@@ -71,30 +71,37 @@ Spheres from_file(const Scene& scene, std::int32_t species, const core::Domain& 
 }
 
 /// Pushes particles apart where they overlap, each in the region of its species.
-void relax(const Scene& scene, const core::Domain& domain, Spheres& all)
+void relax(const Scene& scene, const core::Domain& domain, const std::vector<physics::Wall>& walls, Spheres& all)
 {
     std::vector<physics::Region> of_species, regions;
     for (const Species& s : scene.particles) of_species.push_back(s.initial.region.region(domain));
     for (const core::Sphere& s : all) regions.push_back(of_species[std::size_t(s.species)]);
-    physics::relax_overlaps(domain, walls_at_start(scene, domain), regions, all);
+    physics::relax_overlaps(domain, walls, regions, all);
 }
 
 } // namespace
 
-Spheres initial_grains(const Scene& scene, const core::Domain& domain, const core::Communicator& ranks)
+Spheres grains_of_files(const Scene& scene, const core::Domain& domain, const core::Communicator& ranks)
 {
-    Spheres all = placed(scene, domain);
-    const bool beside = !all.empty();
-    bool files = false, asked = false;
+    Spheres all;
     for (std::size_t n = 0; n < scene.particles.size(); ++n) {
-        const Species& s = scene.particles[n];
-        asked = asked || s.initial.overlaps == Overlaps::relax;
-        if (s.file.empty()) continue;
-        files = true;
+        if (scene.particles[n].file.empty()) continue;
         const Spheres more = from_file(scene, std::int32_t(n), domain, ranks);
         all.insert(all.end(), more.begin(), more.end());
     }
-    if (asked || (files && beside)) relax(scene, domain, all); // what is placed knows nothing of what files bring
+    return all;
+}
+
+Spheres initial_grains(const Scene& scene, const Spheres& of_files, const physics::ParticleDynamics& dynamics)
+{
+    const core::Domain& domain = dynamics.domain();
+    const physics::Obstacles obstacles = obstacles_of(walls_at_start(scene, domain), dynamics);
+    Spheres all = placed(scene, domain, obstacles);
+    const bool mixed = !all.empty() && !of_files.empty(); // what is placed knows nothing of what files bring
+    const bool asked =
+        std::any_of(scene.particles.begin(), scene.particles.end(), [](const Species& s) { return s.initial.overlaps == Overlaps::relax; });
+    all.insert(all.end(), of_files.begin(), of_files.end());
+    if (asked || mixed) relax(scene, domain, obstacles.walls, all);
     std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.species < b.species; });
     for (std::size_t n = 0; n < all.size(); ++n) all[n].id = std::int64_t(n);
     return all;

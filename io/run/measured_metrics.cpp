@@ -10,15 +10,19 @@
 namespace io {
 namespace {
 
-double mean_coordination(World& world)
+/// Mean of a column of whole numbers.
+double mean_contacts(World& world, int column)
 {
     const core::ParticleSet& p = world.grains()->particles;
-    const core::Column& contacts = p.columns[std::size_t(world.grains()->contact_columns()->coordination)];
+    const core::Column& contacts = p.columns[std::size_t(column)];
     std::array<std::int64_t, 2> sums{0, p.owned};
     for (int i = 0; i < p.owned; ++i) sums[0] += std::int64_t(contacts[std::size_t(i)]);
     world.ranks().sum(sums);
     return sums[1] > 0 ? double(sums[0]) / double(sums[1]) : 0.0;
 }
+
+double mean_coordination(World& world) { return mean_contacts(world, world.grains()->contact_columns()->coordination); }
+double mean_wall_coordination(World& world) { return mean_contacts(world, world.grains()->contact_columns()->wall_coordination); }
 
 double mean_temperature(World& world)
 {
@@ -63,6 +67,7 @@ MetricGroup measured_metrics(World& world)
         values.push_back(value);
     };
     add(GrainMeasure::contacts, "coordination", mean_coordination);
+    add(GrainMeasure::contacts, "wall_coordination", mean_wall_coordination);
     add(GrainMeasure::motion, "granular_temperature", mean_temperature);
     add(GrainMeasure::mixing, "lacey_index", [](World& w) { return lacey_index(species_in_cells(w)); });
     return {names, [&world, values] {

@@ -60,12 +60,12 @@ World::World(const Scene& scene, core::MultiBlock blocks, const core::Communicat
 void World::make_grains()
 {
     const core::Domain domain = make_domain(scene_.grid);
-    const std::vector<core::Sphere> grains = initial_grains(scene_, domain, ranks_);
+    const std::vector<core::Sphere> of_files = grains_of_files(scene_, domain, ranks_);
     census_ = census_of(scene_);
-    for (const core::Sphere& grain : grains)
-        if (!scene_.particles[std::size_t(grain.species)].file.empty()) census_.add(grain);
-    traffic_.emplace(scene_, domain, std::int64_t(grains.size()));
+    for (const core::Sphere& grain : of_files) census_.add(grain);
     grains_.emplace(make_dynamics(scene_, census_, mesh_));
+    const std::vector<core::Sphere> grains = initial_grains(scene_, of_files, *grains_);
+    traffic_.emplace(scene_, domain, std::int64_t(grains.size()));
     if (!scene_.grid.is_primitive()) require_inside(locator_, domain, grains);
     require_clear_of_walls(scene_.walls, grains, *grains_);
     bed_contact_ = bed_contact(scene_, census_, particle_parameters(scene_));

@@ -50,8 +50,8 @@ physics::ParticleDynamics make_dynamics(const Scene& scene, const GrainCensus& c
     const double step = sub_step(scene, census, parameters);
     require_slow_walls(scene.walls, census.smallest, domain, step);
     physics::ParticleDynamics dynamics(domain, parameters, primitive_walls(scene, domain), step);
-    if (scene.contact->walls == WallShape::faces) dynamics.add_surface(grid_surface(census.largest, mesh, domain));
-    add_own_surfaces(scene.walls, dynamics);
+    if (scene.contact->walls == WallShape::faces) dynamics.add_surface(grid_surface(census.largest, mesh, domain, WallMaterials(scene)));
+    add_own_surfaces(scene, dynamics);
     return dynamics;
 }
 

@@ -11,10 +11,7 @@
 namespace io {
 namespace {
 
-physics::CylinderSide side_of(CylinderSide side)
-{
-    return side == CylinderSide::inside ? physics::CylinderSide::inside : physics::CylinderSide::outside;
-}
+physics::WallSide side_of(WallSide side) { return side == WallSide::inside ? physics::WallSide::inside : physics::WallSide::outside; }
 
 } // namespace
 
@@ -39,15 +36,17 @@ physics::WallMotion motion_of(const WallKeys& keys, const core::Vec3& origin)
     return motion;
 }
 
-std::vector<physics::Wall> own_walls(const std::vector<WallKeys>& walls, const core::Vec3& origin)
+std::vector<physics::Wall> own_walls(const Scene& scene, const core::Vec3& origin)
 {
+    const WallMaterials materials(scene);
     std::vector<physics::Wall> made;
-    for (std::size_t n = 0; n < walls.size(); ++n) {
-        const WallKeys& wall = walls[n];
+    for (std::size_t n = 0; n < scene.walls.size(); ++n) {
+        const WallKeys& wall = scene.walls[n];
         const physics::WallMotion motion = motion_of(wall, origin);
-        if (const auto& p = wall.plane) made.push_back(physics::PlaneWall{p->point - origin, p->normal, motion, int(n)});
+        const int material = materials.of(wall);
+        if (const auto& p = wall.plane) made.push_back(physics::PlaneWall{p->point - origin, p->normal, motion, int(n), material});
         if (const auto& c = wall.cylinder)
-            made.push_back(physics::CylinderWall{c->point - origin, c->axis, c->radius, side_of(c->particles), motion, int(n)});
+            made.push_back(physics::CylinderWall{c->point - origin, c->axis, c->radius, side_of(c->particles), motion, int(n), material});
     }
     return made;
 }
@@ -55,14 +54,16 @@ std::vector<physics::Wall> own_walls(const std::vector<WallKeys>& walls, const c
 std::vector<physics::Wall> primitive_walls(const Scene& scene, const core::Domain& domain)
 {
     std::vector<physics::Wall> walls;
-    if (scene.contact->walls == WallShape::primitive) walls = primitive_walls(scene.grid);
-    const auto own = own_walls(scene.walls, domain.origin);
+    if (scene.contact->walls == WallShape::primitive) walls = primitive_walls(scene.grid, WallMaterials(scene));
+    const auto own = own_walls(scene, domain.origin);
     walls.insert(walls.end(), own.begin(), own.end());
     return walls;
 }
 
-void add_own_surfaces(const std::vector<WallKeys>& walls, physics::ParticleDynamics& dynamics)
+void add_own_surfaces(const Scene& scene, physics::ParticleDynamics& dynamics)
 {
+    const std::vector<WallKeys>& walls = scene.walls;
+    const WallMaterials materials(scene);
     const core::Vec3 origin = dynamics.domain().origin;
     for (std::size_t n = 0; n < walls.size(); ++n) {
         auto triangles = triangles_of(walls[n]);
@@ -70,7 +71,8 @@ void add_own_surfaces(const std::vector<WallKeys>& walls, physics::ParticleDynam
         for (auto& corners : triangles)
             for (core::Vec3& x : corners) x -= origin;
         const auto mesh = physics::joined_triangles(triangles);
-        dynamics.add_surface({mesh, smooth_angle_of(walls[n])}, motion_of(walls[n], origin), int(n));
+        dynamics.add_surface({mesh, smooth_angle_of(walls[n]), materials.of(walls[n])}, motion_of(walls[n], origin), int(n));
+        if (walls[n].stl && walls[n].stl->particles) dynamics.set_side({mesh, side_of(*walls[n].stl->particles)});
     }
     dynamics.report_walls(int(walls.size()));
 }
@@ -79,18 +81,32 @@ std::vector<physics::Wall> walls_at_start(const Scene& scene, const core::Domain
 {
     std::vector<physics::Wall> walls = primitive_walls(scene, domain);
     if (scene.contact->walls == WallShape::faces) {
-        const auto grid = primitive_walls(scene.grid);
+        const auto grid = primitive_walls(scene.grid, WallMaterials(scene));
         walls.insert(walls.end(), grid.begin(), grid.end());
     }
     return walls;
 }
 
-physics::WallSurface grid_surface(double largest, const core::Mesh& mesh, const core::Domain& domain)
+physics::Obstacles obstacles_of(const std::vector<physics::Wall>& walls, const physics::ParticleDynamics& dynamics)
+{
+    if (!dynamics.has_surfaces()) return {walls};
+    return {walls,
+            [&dynamics](const core::Vec3& x, double r) { return dynamics.surface_at(x, r) >= 0 || dynamics.surface_around(x) >= 0; }};
+}
+
+physics::WallSurface grid_surface(double largest, const core::Mesh& mesh, const core::Domain& domain, const WallMaterials& materials)
 {
     constexpr double smooth_angle = 0.6; // [rad]; a pipe of 12 faces or more is round, the edges of a box are sharp
-    core::Surface surface = core::boundary_surface(mesh, wall_names(mesh), 2 * largest);
+    const std::vector<std::string> names = wall_names(mesh);
+    core::Surface surface = core::boundary_surface(mesh, names, 2 * largest);
     for (core::Vec3& x : surface.vertices) x -= domain.origin;
-    return {surface.vertices, surface.quads, smooth_angle};
+    std::vector<int> of_name, of_face;
+    for (const std::string& name : names) of_name.push_back(materials.of_side(name));
+    const bool alike = std::adjacent_find(of_name.begin(), of_name.end(), std::not_equal_to()) == of_name.end();
+    if (alike) of_face.assign(1, of_name.empty() ? 0 : of_name.front());
+    else
+        for (const int name : surface.name) of_face.push_back(of_name[std::size_t(name)]);
+    return {surface.vertices, surface.quads, smooth_angle, of_face};
 }
 
 void require_inside(const core::Locator& locator, const core::Domain& domain, const std::vector<core::Sphere>& grains)
@@ -113,13 +129,17 @@ void require_inside(const core::Locator& locator, const core::Domain& domain, co
 void require_clear_of_walls(const std::vector<WallKeys>& walls, const std::vector<core::Sphere>& grains,
                             const physics::ParticleDynamics& dynamics)
 {
+    constexpr double reach = 0.9; // of the radius: beds that settled on the wall touch it
+    const auto refuse = [&](const core::Sphere& grain, const char* how, int wall) {
+        throw core::ConfigError(core::text("particle ", grain.id, how, walls[std::size_t(wall)].name, "' at the start, at (",
+                                           (grain.position + dynamics.domain().origin).transpose(),
+                                           ") m: give the particles a region that is clear of it"));
+    };
     for (const core::Sphere& grain : grains) {
-        const int wall = dynamics.surface_at(grain.position, grain.radius);
-        core::require<core::ConfigError>(wall < 0, wall < 0 ? ""
-                                                            : core::text("particle ", grain.id, " sticks in the wall '",
-                                                                         walls[std::size_t(wall)].name, "' at the start, at (",
-                                                                         (grain.position + dynamics.domain().origin).transpose(),
-                                                                         ") m: give the particles a region that is clear of it"));
+        if (const int wall = dynamics.surface_at(grain.position, reach * grain.radius); wall >= 0)
+            refuse(grain, " sticks in the wall '", wall);
+        if (const int wall = dynamics.surface_around(grain.position); wall >= 0)
+            refuse(grain, " lies on the wrong side of the wall '", wall);
     }
 }
 

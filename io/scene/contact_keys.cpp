@@ -10,16 +10,22 @@ constexpr Range restitution_range = between(0.01, 1.0);
 
 } // namespace
 
+void describe(Schema& s, ContactSide& p)
+{
+    s.required("at", p.at, "", "Name of the side, as in fluid.boundaries");
+    s.required("material", p.material, "", "What it is made of");
+}
+
 void describe(Schema& s, ContactMaterial& p)
 {
-    s.required("of", p.of, "", "Name of a species, or wall");
+    s.required("of", p.of, "", "Name of a material: of a species its name unless it says another, of walls 'wall'");
     s.required("young_modulus", p.young_modulus, "Pa", "Young's modulus", positive);
     s.required("poisson_ratio", p.poisson_ratio, "1", "Poisson's ratio", between(0.0, 0.5));
 }
 
 void describe(Schema& s, ContactPair& p)
 {
-    s.required("between", p.between, "", "Names of two species, or of one and wall");
+    s.required("between", p.between, "", "Names of two materials: of a species its name unless it says another, of walls 'wall'");
     s.value("law", "Their contact law", choice_of(p.law, contact_law_words));
     s.value("stiffness", p.stiffness, "N/m", "Linear: their normal stiffness", positive);
     s.value("restitution", p.restitution, "1", "Their restitution", restitution_range);
@@ -55,8 +61,9 @@ void describe(Schema& s, Contact& p)
     s.value("steps_per_contact", p.steps_per_contact, "", "Sub-steps in the shortest collision", at_least(20));
     s.value("walls", "What particles meet at the boundary of the grid: the faces of its cells, the exact pipe or box, or nothing",
             choice_of(p.walls, wall_shape_words));
-    s.list("materials", p.materials, "Hertz: species, and walls, with elastic constants of their own");
-    s.list("pairs", p.pairs, "What is different between two species, or a species and the walls");
+    s.list("sides", p.sides, "Sides of the grid that are made of a material of their own");
+    s.list("materials", p.materials, "Hertz: materials with elastic constants of their own");
+    s.list("pairs", p.pairs, "What is different between two materials");
 }
 
 } // namespace io

@@ -27,10 +27,16 @@ inline constexpr std::array<std::string_view, 2> rolling_model_words{"constant",
 enum class WallShape { faces, primitive, none };
 inline constexpr std::array<std::string_view, 3> wall_shape_words{"faces", "primitive", "none"};
 
-/// The name of the walls among those of species.
+/// The material of walls that name none.
 inline constexpr std::string_view wall_word = "wall";
 
-/// Elastic constants of the particles of a species, or of the walls, where they are not those of all.
+/// The material of a side of the grid.
+struct ContactSide {
+    std::string at, material;
+    bool operator==(const ContactSide&) const = default;
+};
+
+/// Elastic constants of a material, where they are not those of all.
 struct ContactMaterial {
     std::string of;
     double young_modulus = 0.0; ///< [Pa]
@@ -38,7 +44,7 @@ struct ContactMaterial {
     bool operator==(const ContactMaterial&) const = default;
 };
 
-/// What is different between two species, or a species and the walls.
+/// What is different between two materials.
 struct ContactPair {
     std::array<std::string, 2> between;
     std::optional<ContactLaw> law;
@@ -63,11 +69,13 @@ struct Contact {
     std::optional<double> impact_speed; ///< hertz: of the fastest impacts [m/s]
     int steps_per_contact = 30;
     WallShape walls = WallShape::faces;
+    std::vector<ContactSide> sides;
     std::vector<ContactMaterial> materials;
     std::vector<ContactPair> pairs;
     bool operator==(const Contact&) const = default;
 };
 
+void describe(Schema& s, ContactSide& p);
 void describe(Schema& s, ContactMaterial& p);
 void describe(Schema& s, ContactPair& p);
 void describe(Schema& s, Contact& p);

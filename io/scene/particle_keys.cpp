@@ -42,6 +42,8 @@ void describe(Schema& s, Outlet& p)
 void describe(Schema& s, Species& p)
 {
     s.required("name", p.name, "", "Name in results and messages");
+    s.value("material", p.material, "",
+            "What they are made of, for contact.pairs and contact.materials; several species may share it. Without it, their own name");
     s.exactly_one({"count", "volume_fraction", "file"});
     s.value("count", p.count, "", "Number of particles at the start", at_least(0));
     s.value("volume_fraction", p.volume_fraction, "1", "Share of their room that they fill at the start, instead of a count",

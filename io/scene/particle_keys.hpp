@@ -46,6 +46,7 @@ struct InflowKeys {
 /// One of count, volume_fraction and file; one of diameter, sizes and file.
 struct Species {
     std::string name;
+    std::string material;                  ///< empty: of its own name
     std::optional<int> count;              ///< at the start
     std::optional<double> volume_fraction; ///< what they fill of their room; resolved to a count
     std::string file;                      ///< where their places and sizes are

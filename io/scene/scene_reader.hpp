@@ -52,6 +52,7 @@ void read_wall_files(std::vector<WallKeys>& walls, const std::filesystem::path& 
 
 /// Finds mistakes that only several keys together show; says nothing about values that could not be read.
 void check_boundaries(const Scene& scene, const Locations& locations, Problems& problems);
+void check_contact_sides(const Scene& scene, const Locations& locations, Problems& problems);
 void check_turn(const Scene& scene, const Locations& locations, Problems& problems);
 void check_particles(const Scene& scene, const Locations& locations, Problems& problems);
 void check_walls(const Scene& scene, const Locations& locations, Problems& problems);

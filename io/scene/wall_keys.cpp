@@ -16,7 +16,7 @@ static void describe(Schema& s, CylinderWallKeys& p)
     s.required("point", p.point, "m", "A point of its axis");
     s.required("axis", "Direction of its axis; it has no ends", direction_of(p.axis));
     s.required("radius", p.radius, "m", "Its radius", positive);
-    s.value("particles", "On which side of it particles are", choice_of(p.particles, cylinder_side_words));
+    s.value("particles", "On which side of it particles are", choice_of(p.particles, wall_side_words));
 }
 
 static void describe(Schema& s, TubeKeys& p)
@@ -41,6 +41,8 @@ static void describe(Schema& s, StlKeys& p)
     s.value("unit", p.unit, "m", "What 1 means in the file, for example '1 mm'", positive);
     s.value("at", p.at, "m", "Where the origin of the file lies");
     s.value("smooth_angle", p.smooth_angle, "rad", "Triangles that meet at a smaller angle are one round surface", between(0.0, 1.0));
+    s.value("particles", "On which side of a closed surface particles are: none are placed on the other; without it, on both",
+            choice_of(p.particles, wall_side_words));
 }
 
 static void describe(Schema& s, RotationKeys& p)
@@ -69,6 +71,7 @@ static void describe(Schema& s, MotionKeys& p)
 void describe(Schema& s, WallKeys& p)
 {
     s.required("name", p.name, "", "Name in metrics and messages");
+    s.value("material", p.material, "", "What it is made of, for contact.pairs and contact.materials; without it, 'wall'");
     s.exactly_one({"plane", "cylinder", "tube", "disc", "stl"});
     s.group("plane", p.plane, "An endless plane");
     s.group("cylinder", p.cylinder, "An endless cylinder");

@@ -13,8 +13,8 @@ namespace io {
 
 class Schema;
 
-enum class CylinderSide { inside, outside };
-inline constexpr std::array<std::string_view, 2> cylinder_side_words{"inside", "outside"};
+enum class WallSide { inside, outside };
+inline constexpr std::array<std::string_view, 2> wall_side_words{"inside", "outside"};
 
 struct PlaneKeys {
     core::Vec3 point = core::Vec3::Zero(), normal = core::Vec3::UnitZ(); ///< [m], [-]
@@ -24,7 +24,7 @@ struct PlaneKeys {
 struct CylinderWallKeys {
     core::Vec3 point = core::Vec3::Zero(), axis = core::Vec3::UnitX(); ///< [m], [-]
     double radius = 0.0;                                               ///< [m]
-    CylinderSide particles = CylinderSide::inside;
+    WallSide particles = WallSide::inside;
     bool operator==(const CylinderWallKeys&) const = default;
 };
 
@@ -47,6 +47,7 @@ struct StlKeys {
     double unit = 1.0;                         ///< what 1 in the file means [m]
     core::Vec3 at = core::Vec3::Zero();        ///< where its origin lies [m]
     double smooth_angle = 0.26179938779914943; ///< 15 degrees [rad]
+    std::optional<WallSide> particles;         ///< of a closed surface; without it on both
     bool operator==(const StlKeys&) const = default;
 };
 
@@ -75,6 +76,7 @@ struct MotionKeys {
 /// Exactly one of the shapes is given.
 struct WallKeys {
     std::string name;
+    std::string material; ///< Empty: that of walls.
     std::optional<PlaneKeys> plane;
     std::optional<CylinderWallKeys> cylinder;
     std::optional<TubeKeys> tube;

@@ -122,7 +122,7 @@ ContactLaws pair_laws(const ParticleParameters& parameters, double step)
 
 ContactLaws wall_laws(const ParticleParameters& parameters, double step)
 {
-    return laws_of(parameters.walls, parameters.species, parameters.film, step);
+    return laws_of(parameters.walls, parameters.wall_materials * parameters.species, parameters.film, step);
 }
 
 } // namespace physics

@@ -9,14 +9,15 @@
 
 namespace physics {
 
-/// The laws of all pairs of species, or of all species with walls; one entry serves all. The kind is the same for all entries, so that
-/// a loop over contacts is compiled for it: linear springs, Hertz' springs, whatever else a scene mixes, or that with a film before it.
+/// The laws of all pairs of species, or of all materials of walls with all species; one entry serves all. The kind is the same for all
+/// entries, so that a loop over contacts is compiled for it: linear springs, Hertz' springs, whatever else a scene mixes, or that with a
+/// film before it.
 using ContactLaws =
     std::variant<std::vector<LinearContact>, std::vector<HertzContact>, std::vector<GeneralContact>, std::vector<LubricatedContact>>;
 
 /// The laws of `parameters.pairs`, species x species. @throws core::ConfigError for a wrong number of entries or values out of range.
 [[nodiscard]] ContactLaws pair_laws(const ParticleParameters& parameters, double step);
-/// The laws of `parameters.walls`, one for each species.
+/// The laws of `parameters.walls`, wall materials x species.
 [[nodiscard]] ContactLaws wall_laws(const ParticleParameters& parameters, double step);
 
 /// True where contacts hold rolling and twist: they need core::rolling_memory, and act with torques of their own.
@@ -24,8 +25,8 @@ using ContactLaws =
 {
     return std::visit([]<class Law>(const std::vector<Law>&) { return Law::resists_turning; }, laws);
 }
-/// For each of `count` pairs of species, or species, the number of the first law that is equal to its own: what has one number runs in
-/// one loop.
+/// For each of `count` pairs of species, or of a wall's material and a species, the number of the first law that is equal to its own:
+/// what has one number runs in one loop.
 [[nodiscard]] std::vector<int> kinds_of(const ContactLaws& laws, int count);
 /// Time step [s].
 [[nodiscard]] inline double step_of(const ContactLaws& laws)
@@ -33,17 +34,14 @@ using ContactLaws =
     return std::visit([](const auto& entries) { return entries.front().step; }, laws);
 }
 
-/// Calls run(law_of), where law_of(i) is the law of particle i with walls.
+/// Calls run(law_of), where law_of(k) is the law of contact k. @param entry  Of each contact, its place among the laws of many.
 template <class Run>
-void with_wall_laws(const ContactLaws& laws, const core::ParticleSet& particles, Run run)
+void with_laws(const ContactLaws& laws, const int* entry, Run run)
 {
     std::visit(
         [&]<class Law>(const std::vector<Law>& entries) {
-            if (entries.size() == 1) run([law = entries.front()](std::size_t) -> const Law& { return law; });
-            else
-                run([all = entries.data(), species = particles.species.data()](std::size_t i) -> const Law& {
-                    return all[std::size_t(species[i])];
-                });
+            if (entries.size() == 1) run([law = entries.front()](int) -> const Law& { return law; });
+            else run([all = entries.data(), entry](int k) -> const Law& { return all[std::size_t(entry[k])]; });
         },
         laws);
 }

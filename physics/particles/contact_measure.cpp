@@ -5,16 +5,29 @@
 namespace physics {
 namespace {
 
-constexpr int components = 6;
+constexpr std::size_t components = 6;
+
+core::Column& column(core::ParticleSet& particles, int number, std::size_t component = 0)
+{
+    return particles.columns[std::size_t(number) + component];
+}
 
 } // namespace
 
 ContactColumns add_contact_columns(core::ParticleSet& particles)
 {
-    ContactColumns columns{particles.add_column(), 0};
-    columns.stress = particles.add_column();
-    for (int n = 1; n < components; ++n) (void)particles.add_column();
+    ContactColumns columns{particles.add_column(), particles.add_column(), particles.add_column()};
+    for (std::size_t n = 1; n < components; ++n) (void)particles.add_column();
     return columns;
+}
+
+void measure_walls(core::ParticleSet& particles, const WallShares& shares, int begin, int end, const ContactColumns& columns)
+{
+    const auto set = [&](const WallShares::Lane& values, core::Column& of_all) {
+        std::copy_n(values.begin(), end - begin, of_all.begin() + begin);
+    };
+    set(shares.contacts, column(particles, columns.wall_coordination));
+    for (std::size_t n = 0; n < components; ++n) set(shares.stress[n], column(particles, columns.stress, n));
 }
 
 void measure_contacts(core::ParticleSet& particles, const core::PairList& pairs, const core::NearPairs& near,
@@ -32,18 +45,12 @@ void measure_contacts(core::ParticleSet& particles, const core::PairList& pairs,
             if (on_first.isZero(0.0)) continue;
             const core::Vec3 way = particles.position_of(pairs.second[m]) - particles.position_of(pairs.first[m]) + shifts[pairs.image[m]];
             // Both the force and the way to the contact turn round for the second.
-            const core::Vec3 arm = contact.lever(side) * way.normalized();
-            const core::Vec3 yz_zx_xy =
-                0.5 * core::Vec3(arm.y() * on_first.z() + arm.z() * on_first.y(), arm.z() * on_first.x() + arm.x() * on_first.z(),
-                                 arm.x() * on_first.y() + arm.y() * on_first.x());
-            for (std::size_t a = 0; a < 3; ++a) {
-                stress[a] -= arm[int(a)] * on_first[int(a)];
-                stress[3 + a] -= yz_zx_xy[int(a)];
-            }
+            const auto share = stress_share(on_first, contact.lever(side) * way.normalized());
+            for (std::size_t n = 0; n < components; ++n) stress[n] += share[n];
             contacts += int(contact.lever(side) <= particles.radius[i]); // beyond it a film acts
         }
-        particles.columns[std::size_t(columns.coordination)][i] = contacts;
-        for (std::size_t n = 0; n < components; ++n) particles.columns[std::size_t(columns.stress) + n][i] = stress[n];
+        column(particles, columns.coordination)[i] = contacts;
+        for (std::size_t n = 0; n < components; ++n) column(particles, columns.stress, n)[i] += stress[n];
     };
     core::for_chunks(team, particles.owned, core::particles_per_chunk, [&](int begin, int end) {
         for (int i = begin; i < end; ++i) measure(std::size_t(i));
@@ -52,12 +59,10 @@ void measure_contacts(core::ParticleSet& particles, const core::PairList& pairs,
 
 void measure_no_contacts(core::ParticleSet& particles, const ContactColumns& columns)
 {
-    for (int n = 0; n < components; ++n) {
-        auto& column = particles.columns[std::size_t(columns.stress + n)];
-        std::fill(column.begin(), column.end(), 0.0);
-    }
-    auto& count = particles.columns[std::size_t(columns.coordination)];
-    std::fill(count.begin(), count.end(), 0.0);
+    const auto clear = [](core::Column& values) { std::fill(values.begin(), values.end(), 0.0); };
+    clear(column(particles, columns.coordination));
+    clear(column(particles, columns.wall_coordination));
+    for (std::size_t n = 0; n < components; ++n) clear(column(particles, columns.stress, n));
 }
 
 } // namespace physics

@@ -46,7 +46,7 @@ ParticleDynamics::ParticleDynamics(const core::Domain& domain, const ParticlePar
       step_(step),
       pair_laws_(pair_laws(parameters, step)),
       wall_laws_(wall_laws(parameters, step)),
-      walls_(std::move(walls), kinds_of(wall_laws_, parameters.species)),
+      walls_(std::move(walls), kinds_of(wall_laws_, parameters.wall_materials * parameters.species), parameters.species),
       shifts_(core::image_shifts(domain))
 {
     near_.species_count = parameters.species;
@@ -228,16 +228,17 @@ void ParticleDynamics::plan_chunks(int threads)
     loads_ = std::move(so_far);
 }
 
-void ParticleDynamics::sum_chunk(int segment, int chunk, ForceSums& sums, EnergySums* energy)
+void ParticleDynamics::sum_chunk(int segment, int chunk, ForceSums& sums, const Account& account)
 {
     const WallLoads loads = WallLoads(loads_).subspan(index_of(segment * reports_), index_of(reports_));
     sums.begin = chunk * core::particles_per_chunk;
     sums.end = std::min(particles.owned, sums.begin + core::particles_per_chunk);
     sum_pair_forces(pairs_, near_, forces_, sums);
     if (!forces_.couples.empty()) add_pair_couples(pairs_, near_, forces_, sums);
-    if (energy) begin_budget(particles, pairs_, near_, forces_, sums, *energy);
-    if (!walls_.empty()) walls_.add_forces(records_.seen_by(segment), wall_laws_, chunk, {sums, loads, energy});
-    for (SurfaceContacts& surface : surfaces_) surface.add_forces(particles, wall_laws_, chunk, {sums, loads, energy});
+    if (account.energy) begin_budget(particles, pairs_, near_, forces_, sums, *account.energy);
+    const WallSums walls{sums, loads, account.energy, account.shares};
+    if (!walls_.empty()) walls_.add_forces(records_.seen_by(segment), wall_laws_, chunk, walls);
+    for (SurfaceContacts& surface : surfaces_) surface.add_forces(particles, wall_laws_, chunk, walls);
 }
 
 /// A particle may move as soon as all its pairs are done. The pairs of chunks 0..c are all the pairs of their particles, so
@@ -250,8 +251,11 @@ double ParticleDynamics::advance_as(const M& motion, const core::Team& team, con
     const auto move = [&](int s, int c) {
         ForceSums sums;
         std::optional<EnergySums> energy;
+        std::optional<WallShares> shares;
         if (energy_.kept()) energy.emplace();
-        sum_chunk(s, c, sums, energy ? &*energy : nullptr);
+        if (contact_columns_ && times.second_half == 0.0) shares.emplace(); // the last of the batch
+        sum_chunk(s, c, sums, {energy ? &*energy : nullptr, shares ? &*shares : nullptr});
+        if (shares) measure_walls(particles, *shares, sums.begin, sums.end, *contact_columns_);
         greatest[index_of(s)] = std::max(greatest[index_of(s)], move_chunk(particles, sums, motion, times));
         if (energy) finish_budget(particles, energy_, sums, *energy, times.step);
     };

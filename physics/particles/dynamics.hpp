@@ -25,8 +25,15 @@ public:
     /// Adds a surface to the walls. @pre before the first sub-step
     /// @param report  Which of the loads its own is; none if negative.
     void add_surface(WallSurface surface, const WallMotion& motion = {}, int report = -1);
-    /// Which of the reported walls is a surface that a sphere sticks in by more than a tenth of its radius at t = 0; -1 if none is.
+    /// Says on which side of the surface that was added last particles are.
+    void set_side(SurfaceSide side) { surfaces_.back().set_side(std::move(side)); }
+    /// Which of the reported walls is a surface that a sphere touches; -1 if none is.
     [[nodiscard]] int surface_at(const core::Vec3& centre, double radius) const;
+    /// Which of them is a closed surface that a place is on the wrong side of; -1 if none is.
+    [[nodiscard]] int surface_around(const core::Vec3& centre) const;
+    /// Moves the surfaces to where they are at a time, for these two.
+    void place_surfaces(double time);
+    [[nodiscard]] bool has_surfaces() const { return !surfaces_.empty(); }
     /// Makes room for the loads of `walls` walls that are reported.
     void report_walls(int walls) { reports_ = walls; }
     /// Loads of the walls that are reported by the particles of this rank, summed over load_steps() sub-steps: those of the last batch.
@@ -102,7 +109,12 @@ private:
     [[nodiscard]] double reach(double skin) const { return parameters_.film.range + skin; }
     void refresh_near(const core::Team& team);
     void plan_chunks(int threads);
-    void sum_chunk(int segment, int chunk, ForceSums& sums, EnergySums* energy);
+    /// What is summed beside forces.
+    struct Account {
+        EnergySums* energy; ///< Null where no budget is kept.
+        WallShares* shares; ///< Null but in sub-steps whose contacts are measured.
+    };
+    void sum_chunk(int segment, int chunk, ForceSums& sums, const Account& account);
     template <class M>
     double advance_as(const M& motion, const core::Team& team, const DriftTimes& times);
 

@@ -14,14 +14,27 @@ constexpr auto index_of(int i) { return std::size_t(i); }
 
 void ParticleDynamics::add_surface(WallSurface surface, const WallMotion& motion, int report)
 {
-    surfaces_.emplace_back(std::move(surface), motion, int(surfaces_.size()), report, parameters_.film.range);
+    surfaces_.emplace_back(std::move(surface), motion,
+                           SurfaceContacts::Place{int(surfaces_.size()), report, parameters_.species, parameters_.film.range});
 }
 
 int ParticleDynamics::surface_at(const core::Vec3& centre, double radius) const
 {
     for (const SurfaceContacts& surface : surfaces_)
-        if (surface.report() >= 0 && surface.holds(centre, 0.9 * radius)) return surface.report();
+        if (surface.report() >= 0 && surface.touches(centre, radius)) return surface.report();
     return -1;
+}
+
+int ParticleDynamics::surface_around(const core::Vec3& centre) const
+{
+    for (const SurfaceContacts& surface : surfaces_)
+        if (surface.excludes(centre)) return surface.report();
+    return -1;
+}
+
+void ParticleDynamics::place_surfaces(double time)
+{
+    for (SurfaceContacts& surface : surfaces_) surface.move_to({time, 0.0});
 }
 
 void ParticleDynamics::begin(std::optional<double> time)

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "physics/particles/inflow.hpp"
 #include "core/base/random.hpp"
-#include "physics/particles/wall_distance.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -28,9 +27,9 @@ core::Vec3 separation(const core::Domain& domain, core::Vec3 d)
     return d;
 }
 
-bool is_free(const core::Sphere& sphere, const core::Domain& domain, const std::vector<Wall>& walls, const std::vector<core::Sphere>& near)
+bool is_free(const core::Sphere& sphere, const core::Domain& domain, const Obstacles& obstacles, const std::vector<core::Sphere>& near)
 {
-    if (clearance(walls, sphere.position, sphere.radius) < 0.0) return false;
+    if (!obstacles.leave_room(sphere.position, sphere.radius)) return false;
     return std::all_of(near.begin(), near.end(), [&](const core::Sphere& other) {
         return separation(domain, other.position - sphere.position).norm() >= sphere.radius + other.radius;
     });
@@ -38,7 +37,7 @@ bool is_free(const core::Sphere& sphere, const core::Domain& domain, const std::
 
 } // namespace
 
-std::vector<core::Sphere> entering(const Inflow& inflow, double time, const core::Domain& domain, const std::vector<Wall>& walls,
+std::vector<core::Sphere> entering(const Inflow& inflow, double time, const core::Domain& domain, const Obstacles& obstacles,
                                    std::uint64_t seed, std::vector<core::Sphere>& near, std::int64_t& next_id, Entered& entered)
 {
     const double due = inflow.rate * std::clamp(time - inflow.begin, 0.0, inflow.end - inflow.begin) * (1 + 1e-12); // rounding of times
@@ -53,7 +52,7 @@ std::vector<core::Sphere> entering(const Inflow& inflow, double time, const core
             const auto u = core::random_uniform(seed, next_id, std::uint64_t(trial));
             sphere.position = point_in(inflow.region, core::Vec3(u[0], u[1], u[2]));
             for (int a = 0; a < 3; ++a) sphere.position[a] = domain.wrapped(a, sphere.position[a]);
-            found = is_free(sphere, domain, walls, near);
+            found = is_free(sphere, domain, obstacles, near);
         }
         if (!found) return all;
         all.push_back(sphere);

@@ -3,9 +3,9 @@
 #pragma once
 // Particles that come in while others move: how many are due, and free places for them. Every rank finds the same.
 #include "core/particles/particle_set.hpp"
+#include "physics/particles/obstacles.hpp"
 #include "physics/particles/region.hpp"
 #include "physics/particles/size_distribution.hpp"
-#include "physics/particles/walls.hpp"
 
 #include <cstdint>
 #include <limits>
@@ -34,9 +34,9 @@ struct Entered {
 /// the size of each follow from the seed and its id.
 /// @param near      All that may touch them, in any order; those that come in are added.
 /// @param[in,out] next_id  The id of the next sphere.
-[[nodiscard]] std::vector<core::Sphere> entering(const Inflow& inflow, double time, const core::Domain& domain,
-                                                 const std::vector<Wall>& walls, std::uint64_t seed, std::vector<core::Sphere>& near,
-                                                 std::int64_t& next_id, Entered& entered);
+[[nodiscard]] std::vector<core::Sphere> entering(const Inflow& inflow, double time, const core::Domain& domain, const Obstacles& obstacles,
+                                                 std::uint64_t seed, std::vector<core::Sphere>& near, std::int64_t& next_id,
+                                                 Entered& entered);
 
 /// May a sphere of this place and radius touch one of the stream, or an image of it?
 [[nodiscard]] bool may_meet(const Inflow& inflow, const core::Domain& domain, const core::Vec3& centre, double radius);

@@ -133,7 +133,7 @@ Layers layers_of(const core::Domain& domain, int axis, double diameter, double s
 
 } // namespace
 
-std::vector<core::Sphere> place_at_random(const core::Domain& domain, const std::vector<Wall>& walls, const std::vector<Group>& groups,
+std::vector<core::Sphere> place_at_random(const core::Domain& domain, const Obstacles& obstacles, const std::vector<Group>& groups,
                                           std::uint64_t seed)
 {
     auto all = wanted(groups, seed);
@@ -147,7 +147,7 @@ std::vector<core::Sphere> place_at_random(const core::Domain& domain, const std:
         for (int trial = 0; trial < most_trials && !found; ++trial) {
             const auto u = core::random_uniform(seed, sphere.id, std::uint64_t(trial));
             sphere.position = point_in(region, core::Vec3(u[0], u[1], u[2]));
-            found = clearance(walls, sphere.position, sphere.radius) >= 0.0 && placed.free(sphere.position, sphere.radius);
+            found = obstacles.leave_room(sphere.position, sphere.radius) && placed.free(sphere.position, sphere.radius);
         }
         core::require<core::ConfigError>(found, core::text("no room for particle ", sphere.id, " of ", all.size(), " (diameter ",
                                                            2.0 * sphere.radius, " m) after ", most_trials,
@@ -159,7 +159,7 @@ std::vector<core::Sphere> place_at_random(const core::Domain& domain, const std:
     return spheres;
 }
 
-std::vector<core::Sphere> place_densely(const core::Domain& domain, const std::vector<Wall>& walls, const std::vector<Group>& groups,
+std::vector<core::Sphere> place_densely(const core::Domain& domain, const Obstacles& obstacles, const std::vector<Group>& groups,
                                         std::uint64_t seed)
 {
     std::vector<core::Sphere> spheres;
@@ -169,18 +169,18 @@ std::vector<core::Sphere> place_densely(const core::Domain& domain, const std::v
         for (int trial = 0; trial < most_trials && !found; ++trial) {
             const auto u = core::random_uniform(seed, sphere.id, std::uint64_t(trial));
             sphere.position = point_in(region, core::Vec3(u[0], u[1], u[2]));
-            found = clearance(walls, sphere.position, sphere.radius) >= 0.0;
+            found = obstacles.leave_room(sphere.position, sphere.radius);
         }
         core::require<core::ConfigError>(found, core::text("no place in its region is clear of the walls for particle ", sphere.id,
                                                            " (diameter ", 2.0 * sphere.radius, " m)"));
         spheres.push_back(sphere);
         regions.push_back(region);
     }
-    relax_overlaps(domain, walls, regions, spheres);
+    relax_overlaps(domain, obstacles.walls, regions, spheres);
     return spheres;
 }
 
-std::vector<core::Sphere> place_on_lattice(const core::Domain& domain, const std::vector<Wall>& walls, const std::vector<Group>& groups,
+std::vector<core::Sphere> place_on_lattice(const core::Domain& domain, const Obstacles& obstacles, const std::vector<Group>& groups,
                                            std::uint64_t seed)
 {
     const auto all = wanted(groups, seed);
@@ -194,8 +194,7 @@ std::vector<core::Sphere> place_on_lattice(const core::Domain& domain, const std
         if (next == order.size()) return;
         core::Vec3 x((i + 0.5) * domain.size.x() / count.i, (j + 0.5) * domain.size.y() / count.j, (k + 0.5) * domain.size.z() / count.k);
         const auto& [sphere, region] = all[order[next]];
-        if (clearance(walls, x, radius) < 0.0) return;
-        if (!contains(region, x)) return;
+        if (!contains(region, x) || !obstacles.leave_room(x, radius)) return;
         // A little off the lattice, so that columns of particles do not stand on each other's heads.
         const auto u = core::random_uniform(seed, sphere.id, order_draw + 1);
         auto& place = spheres[order[next]];

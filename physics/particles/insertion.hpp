@@ -4,8 +4,8 @@
 // Places for new particles: at random or on a lattice, apart from each other and from the walls. Every rank finds the same
 // places, since each number comes from the seed and the particle's id.
 #include "core/particles/particle_set.hpp"
+#include "physics/particles/obstacles.hpp"
 #include "physics/particles/region.hpp"
-#include "physics/particles/wall_distance.hpp"
 
 #include <cstdint>
 
@@ -21,17 +21,17 @@ struct Group {
 
 /// Random sequential addition, the largest spheres first; ids run through the groups in their order.
 /// @throws core::ConfigError if some sphere finds no place: the region is too full.
-[[nodiscard]] std::vector<core::Sphere> place_at_random(const core::Domain& domain, const std::vector<Wall>& walls,
+[[nodiscard]] std::vector<core::Sphere> place_at_random(const core::Domain& domain, const Obstacles& obstacles,
                                                         const std::vector<Group>& groups, std::uint64_t seed);
 
-/// Anywhere at random, then relaxed until none overlaps (overlap_relaxation.hpp): up to random close packing.
+/// Anywhere at random, then relaxed until none overlaps (overlap_relaxation.hpp), where walls alone hold them: up to random close packing.
 /// @throws core::ConfigError if they do not come apart: the region is too full.
-[[nodiscard]] std::vector<core::Sphere> place_densely(const core::Domain& domain, const std::vector<Wall>& walls,
+[[nodiscard]] std::vector<core::Sphere> place_densely(const core::Domain& domain, const Obstacles& obstacles,
                                                       const std::vector<Group>& groups, std::uint64_t seed);
 
 /// A simple cubic lattice just wider than the largest sphere, filled from below, the groups mixed at random.
 /// @throws core::ConfigError if the regions have too few sites.
-[[nodiscard]] std::vector<core::Sphere> place_on_lattice(const core::Domain& domain, const std::vector<Wall>& walls,
+[[nodiscard]] std::vector<core::Sphere> place_on_lattice(const core::Domain& domain, const Obstacles& obstacles,
                                                          const std::vector<Group>& groups, std::uint64_t seed);
 
 /// Face-centred cubes: whole ones along periodic axes; along others layers from wall to wall, so near to the walls that these push as

@@ -48,7 +48,8 @@ struct ParticleParameters {
     int species = 1;
     /// species x species, row-major and symmetric; one entry serves all species.
     std::vector<ContactParameters> pairs{ContactParameters{}};
-    /// One for each species, or one for all.
+    int wall_materials = 1;
+    /// wall materials x species, row-major; one entry serves all.
     std::vector<ContactParameters> walls{ContactParameters{}};
     LubricationFilm film;                    ///< One for all.
     core::Vec3 gravity = core::Vec3::Zero(); ///< [m/s2]

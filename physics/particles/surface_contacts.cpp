@@ -27,10 +27,10 @@ std::array<core::Four, 3> own_four(const WallPose& pose, const core::Four& x, co
 
 } // namespace
 
-bool SurfaceContacts::holds(const Vec3& centre, double radius) const
+bool SurfaceContacts::touches(const Vec3& centre, double radius) const
 {
     std::vector<int> found;
-    surface_.candidates(centre, radius, 0.0, found);
+    surface_.candidates(own(centre), radius, 0.0, found);
     return !found.empty();
 }
 
@@ -138,11 +138,14 @@ void SurfaceContacts::find_feet(const core::ParticleSet& p, double half_step, Ch
     }
 }
 
-SurfaceContacts::Touch SurfaceContacts::touch_of(const Feet& feet, int lane) const
+SurfaceContacts::Touch SurfaceContacts::touch_of(const Chunk& chunk, int pair) const
 {
+    const Feet& feet = chunk.feet[index_of(pair / 4)];
+    const int lane = pair % 4;
     const double side = surface_.two_sided() && feet.now.depth[lane] < 0.0 ? -1.0 : 1.0;
     return {{side * Vec3(feet.now.nx[lane], feet.now.ny[lane], feet.now.nz[lane]), side * feet.now.depth[lane]},
-            side * Vec3(feet.before_x[lane], feet.before_y[lane], feet.before_z[lane])};
+            side * Vec3(feet.before_x[lane], feet.before_y[lane], feet.before_z[lane]),
+            surface_.material(chunk.near.triangle[index_of(pair)])};
 }
 
 /// Touches of the particle of near pairs [begin, end), the deepest first.
@@ -156,14 +159,14 @@ void SurfaceContacts::add_near_touches(const Vec3& centre, double radius, int be
         const int lane = m % 4, triangle = chunk.near.triangle[index_of(m)];
         const bool plain = chunk.plain[index_of(m)];
         if (feet.inside[lane] < -patch_overlap && plain) continue;
-        Touch touch = touch_of(feet, lane);
+        Touch touch = touch_of(chunk, m);
         const PatchPlace<double> foot{feet.now.one[lane], feet.now.two[lane]};
         if (feet.inside[lane] < -patch_overlap || (!plain && surface_.beyond_sharp_edge(triangle, foot))) {
             const Vec3 face = touch.hit.normal;
             if (!surface_.meet_rim(triangle, foot, centre, touch.hit)) continue;
             touch.before = (touch.before + touch.hit.normal - face).normalized();
         }
-        if (std::abs(touch.hit.depth) >= radius + reach_) continue;
+        if (std::abs(touch.hit.depth) >= radius + place_.reach) continue;
         // a place of its own behind all that are not less deep
         auto place = touches.end();
         while (place != touches.begin() && touch.hit.depth < (place - 1)->hit.depth) --place;
@@ -206,20 +209,21 @@ void SurfaceContacts::finish(const core::ParticleSet& p, const ContactLaws& laws
         if (frame_.moves()) block.evaluate_moving<budget>(columns, law_of, velocity);
         else block.evaluate<budget>(columns, law_of);
     };
-    with_wall_laws(laws, p, [&](const auto law_of) {
+    with_laws(laws, block.law, [&](const auto law_of) {
         if (sums.energy) evaluate.template operator()<Budget::kept>(law_of);
         else evaluate.template operator()<Budget::none>(law_of);
     });
     block.add_to(columns_of(sums.particles), index_of(sums.particles.begin));
+    if (sums.shares) block.measure(index_of(sums.particles.begin), *sums.shares);
     if (sums.energy) block.add_books(columns, index_of(sums.particles.begin), WallVelocity(frame_.now()), *sums.energy);
     for (int k = 0; k < block.count; ++k) chunk.contacts.push_back({block.particle[k], block.normal(k), block.tangential(k)});
     for (int k = 0; k < block.count && block.turning; ++k) chunk.turns.push_back(block.turn(k));
-    for (int k = 0; k < block.count && report_ >= 0; ++k) {
+    for (int k = 0; k < block.count && place_.report >= 0; ++k) {
         const Vec3 place = p.position_of(block.particle[k]) + block.depth[k] * block.normal(k);
         const MovingMeeting at = block.meeting(columns, k, 0.5 * step_of(laws), velocity);
         const Vec3 force = block.force(k), couple = block.couple(k);
         const double power = force.dot(Vec3(at.ux, at.uy, at.uz)) + couple.dot(Vec3(at.ox, at.oy, at.oz));
-        if (!force.isZero(0.0)) sums.loads[index_of(report_)].add({force, couple, place - frame_.now().axis_point, power});
+        if (!force.isZero(0.0)) sums.loads[index_of(place_.report)].add({force, couple, place - frame_.now().axis_point, power});
     }
     block.count = 0;
 }
@@ -249,12 +253,13 @@ void SurfaceContacts::add_forces(const core::ParticleSet& p, const ContactLaws& 
             const Vec3 normal = moves ? Vec3(frame_.now().turn * t.hit.normal) : t.hit.normal;
             const Vec3 before = moves ? Vec3(frame_.before().turn * t.before) : t.before;
             const auto start = chunk.contacts_before.begin();
-            block.add(i, normal, before, t.hit.depth, take_spring(chunk, old - start, next - start, -normal));
+            const int law = t.material * place_.species + p.species[index_of(i)];
+            block.add(i, law, {normal, before, t.hit.depth}, take_spring(chunk, old - start, next - start, -normal));
         };
         if (end == begin + 1 && chunk.plain[index_of(begin)]) { // most of them
             const Feet& feet = chunk.feet[index_of(begin / 4)];
             const int lane = begin % 4;
-            if (feet.inside[lane] >= -patch_overlap && std::abs(feet.now.depth[lane]) < radius + reach_) add(touch_of(feet, lane));
+            if (feet.inside[lane] >= -patch_overlap && std::abs(feet.now.depth[lane]) < radius + place_.reach) add(touch_of(chunk, begin));
         } else {
             find_touches(own(p.position_of(i)), radius, begin, end, chunk);
             for (const Touch& t : chunk.touches) add(t);

@@ -3,24 +3,32 @@
 #pragma once
 // Contacts of particles with a wall surface: one for each place of contact, its friction carried from face to face.
 #include "physics/particles/surface_filter.hpp"
+#include "physics/particles/surface_side.hpp"
 #include "physics/particles/surface_touches.hpp"
-#include "physics/particles/wall_sums.hpp"
 
 namespace physics {
 
 class SurfaceContacts {
 public:
-    SurfaceContacts() = default;
-    /// @param number  Of the surface among all. @param report  Which of the loads its own is; none if negative.
-    /// @param reach  Gap up to which there are forces [m].
-    SurfaceContacts(WallSurface surface, const WallMotion& motion, int number, int report, double reach)
-        : surface_(std::move(surface)), frame_(motion), number_(number), report_(report), reach_(reach)
+    /// What a surface is among the others.
+    struct Place {
+        int number;   ///< Of the surface among all.
+        int report;   ///< Which of the loads its own is; none if negative.
+        int species;  ///< Of particles, whose laws each material of a wall has.
+        double reach; ///< Gap up to which there are forces [m].
+    };
+    SurfaceContacts(WallSurface surface, const WallMotion& motion, const Place& place)
+        : surface_(std::move(surface)), frame_(motion), place_(place)
     {
     }
 
-    [[nodiscard]] int report() const { return report_; }
-    /// Whether a sphere touches the surface, in its own frame.
-    [[nodiscard]] bool holds(const core::Vec3& centre, double radius) const;
+    [[nodiscard]] int report() const { return place_.report; }
+    /// Says on which side of the closed surface particles are.
+    void set_side(SurfaceSide side) { side_.emplace(std::move(side)); }
+    /// Whether a sphere touches the surface where it is now.
+    [[nodiscard]] bool touches(const core::Vec3& centre, double radius) const;
+    /// Whether particles are not on this side of the surface where it is now.
+    [[nodiscard]] bool excludes(const core::Vec3& centre) const { return side_ && !side_->holds(own(centre)); }
     void move_to(const WallTime& at) { frame_.move_to(at); }
     /// Greatest way that the surface has gone against particles in `box` since build() [m].
     [[nodiscard]] double way(const core::Bounds& box) const { return frame_.way(box); }
@@ -45,10 +53,11 @@ private:
         core::Vec3 normal; ///< From the particle to the wall.
         core::Vec3 spring;
     };
-    /// A contact of this step. @param before  The surface's normal half a step ago, from the surface to the particle.
+    /// A contact of this step; the surface's normal half a step ago, from the surface to the particle, and its material.
     struct Touch {
         SurfaceHit hit;
         core::Vec3 before;
+        int material;
     };
     /// Pairs of a particle and a triangle, in order of particles, then of triangles.
     struct Pairs {
@@ -89,7 +98,7 @@ private:
     void gather_patches(Chunk& chunk) const;
     [[nodiscard]] FourPatches patches_of(const Pairs& pairs, int begin) const;
     void find_feet(const core::ParticleSet& particles, double half_step, Chunk& chunk) const;
-    [[nodiscard]] Touch touch_of(const Feet& feet, int lane) const;
+    [[nodiscard]] Touch touch_of(const Chunk& chunk, int pair) const;
     void add_near_touches(const core::Vec3& centre, double radius, int begin, int end, Chunk& chunk) const;
     static void drop_touches_behind(std::vector<Touch>& touches);
     void find_touches(const core::Vec3& centre, double radius, int begin, int end, Chunk& chunk) const;
@@ -107,8 +116,9 @@ private:
 
     WallSurface surface_; ///< In its own frame.
     WallFrame frame_;
-    int number_ = 0, report_ = -1;
-    double reach_ = 0.0, near_skin_ = 0.0;
+    Place place_;
+    std::optional<SurfaceSide> side_; ///< In its own frame.
+    double near_skin_ = 0.0;
     std::vector<Chunk> chunks_;
 };
 

@@ -41,7 +41,7 @@ core::Spring SurfaceContacts::take_spring(Chunk& chunk, std::ptrdiff_t first, st
 
 void SurfaceContacts::recall(int i, const core::ContactHistory& history, Chunk& chunk) const
 {
-    for (std::int64_t k = first_feature * (1 + number_);; k += 2) {
+    for (std::int64_t k = first_feature * (1 + place_.number);; k += 2) {
         const core::Spring spring = history.find(i, core::wall_key(k));
         if (spring == core::Spring{}) break;
         chunk.contacts.push_back({i, vector_of(history.find(i, core::wall_key(k + 1))), vector_of(spring)});
@@ -57,7 +57,7 @@ void SurfaceContacts::append_row(int i, core::ContactHistory& history) const
     const auto& contacts = chunk.contacts;
     auto contact =
         std::lower_bound(contacts.begin(), contacts.end(), i, [](const Contact& a, int particle) { return a.particle < particle; });
-    std::int64_t k = first_feature * (1 + number_);
+    std::int64_t k = first_feature * (1 + place_.number);
     for (; contact != contacts.end() && contact->particle == i; ++contact) {
         core::Spring spring = spring_of(contact->spring);
         if (!chunk.turns.empty())

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Places where particles touch a surface, some at a time, for vector code.
-#include "physics/particles/energy_budget.hpp"
+#include "physics/particles/wall_sums.hpp"
 
 namespace physics {
 
 struct alignas(64) SurfaceTouches {
     static constexpr int size = 32;
     using Lane = double[size];
-    int particle[size];
+    int particle[size], law[size];      ///< Who touches, and its place among the laws.
     Lane nx, ny, nz, mx, my, mz, depth; ///< As in WallMeeting.
     Lane spring[core::rolling_memory];  ///< Springs, before and after.
     Lane fx, fy, fz;                    ///< Forces [N].
@@ -18,18 +18,23 @@ struct alignas(64) SurfaceTouches {
     ContactBook books[size];            ///< Where a budget is kept.
     int count = 0;
 
-    /// @param normal,before  From the surface to the particle, now and half a step ago.
-    void add(int i, const core::Vec3& normal, const core::Vec3& before, double depth_there, const core::Spring& before_spring)
+    /// Normals from the surface to the particle, now and half a step ago; how far the surface is from the centre [m].
+    struct Where {
+        core::Vec3 normal, before;
+        double depth;
+    };
+    void add(int i, int law_of_it, const Where& at, const core::Spring& before_spring)
     {
         const int k = count++;
         particle[k] = i;
-        nx[k] = -normal[0];
-        ny[k] = -normal[1];
-        nz[k] = -normal[2];
-        mx[k] = -before[0];
-        my[k] = -before[1];
-        mz[k] = -before[2];
-        depth[k] = depth_there;
+        law[k] = law_of_it;
+        nx[k] = -at.normal[0];
+        ny[k] = -at.normal[1];
+        nz[k] = -at.normal[2];
+        mx[k] = -at.before[0];
+        my[k] = -at.before[1];
+        mz[k] = -at.before[2];
+        depth[k] = at.depth;
         for (std::size_t a = 0; a < before_spring.size(); ++a) spring[a][k] = before_spring[a];
     }
     [[nodiscard]] core::Vec3 normal(int k) const { return {nx[k], ny[k], nz[k]}; }
@@ -39,7 +44,7 @@ struct alignas(64) SurfaceTouches {
     [[nodiscard]] core::Vec3 couple(int k) const { return turning ? core::Vec3(tx[k], ty[k], tz[k]) : core::Vec3(core::Vec3::Zero()); }
     [[nodiscard]] WallMeeting at(int k) const { return {nx[k], ny[k], nz[k], mx[k], my[k], mz[k], depth[k]}; }
 
-    /// Forces; moves the springs one step on. law_of(i) is the law of particle i.
+    /// Forces; moves the springs one step on. law_of(k) is the law of contact k.
     template <Budget budget, class LawOf>
     void evaluate(const ParticleColumns& columns, LawOf law_of)
     {
@@ -68,6 +73,12 @@ struct alignas(64) SurfaceTouches {
         }
     }
 
+    /// Adds the contacts to what is measured.
+    void measure(std::size_t first, WallShares& shares) const
+    {
+        for (int k = 0; k < count; ++k) shares.add(std::size_t(particle[k]) - first, force(k), depth[k] * normal(k));
+    }
+
     /// Adds the books likewise. @param velocity  Of the wall now.
     void add_books(const ParticleColumns& p, std::size_t first, const WallVelocity& velocity, EnergySums& energy) const
     {
@@ -90,10 +101,10 @@ private:
 #pragma omp simd
         for (int k = 0; k < count; ++k) {
             const auto i = std::size_t(particle[k]);
-            const Law& law = law_of(i);
-            ContactInput in = wall_input(columns, i, meeting_at(k, 0.5 * law.step));
-            const auto out = move_springs(law, in, springs, k);
-            if constexpr (budget == Budget::kept) books[k] = contact_book(law, in, out);
+            const Law& its = law_of(k);
+            ContactInput in = wall_input(columns, i, meeting_at(k, 0.5 * its.step));
+            const auto out = move_springs(its, in, springs, k);
+            if constexpr (budget == Budget::kept) books[k] = contact_book(its, in, out);
             fx[k] = out.fx;
             fy[k] = out.fy;
             fz[k] = out.fz;

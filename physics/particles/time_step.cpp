@@ -68,8 +68,9 @@ StepLimits step_limits(const core::ParticleSet& particles, const ParticleParamet
         limits.contact_time = std::min(limits.contact_time, contact_time(contact, body));
         limits.stable = std::min(limits.stable, stable_step(contact, body, mass, contacts));
     };
-    const auto entries = [&](const std::vector<ContactParameters>& all, std::int32_t species, std::size_t each) {
-        return all.size() == 1 ? std::span(all) : std::span(all).subspan(std::size_t(species) * each, each);
+    const auto pairs_of = [&, all = std::span(parameters.pairs)](std::int32_t species) {
+        const auto each = std::size_t(parameters.species);
+        return all.size() == 1 ? all : all.subspan(std::size_t(species) * each, each);
     };
     double greatest = 0.0;
     for (std::size_t i = 0; i < std::size_t(particles.owned); ++i) greatest = std::max(greatest, particles.radius[i]);
@@ -80,9 +81,10 @@ StepLimits step_limits(const core::ParticleSet& particles, const ParticleParamet
             limits.stable = std::min(
                 {limits.stable, film_step(parameters.film, mass, reduced, dense_contacts), film_step(parameters.film, mass, radius, 1)});
         }
-        for (const auto& contact : entries(parameters.pairs, particles.species[i], std::size_t(parameters.species)))
-            tighten(contact, {0.5 * mass, 0.5 * radius}, mass, dense_contacts);
-        for (const auto& contact : entries(parameters.walls, particles.species[i], 1)) tighten(contact, {mass, radius}, mass, 1);
+        for (const auto& contact : pairs_of(particles.species[i])) tighten(contact, {0.5 * mass, 0.5 * radius}, mass, dense_contacts);
+        for (std::size_t n = 0; n < parameters.walls.size(); ++n)
+            if (parameters.walls.size() == 1 || n % std::size_t(parameters.species) == std::size_t(particles.species[i]))
+                tighten(parameters.walls[n], {mass, radius}, mass, 1);
     }
     return limits;
 }

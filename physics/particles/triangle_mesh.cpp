@@ -144,4 +144,11 @@ TriangleMesh joined_triangles(std::span<const Corners> triangles)
     return mesh;
 }
 
+std::optional<core::Vec3> rim_of(const TriangleMesh& mesh)
+{
+    for (const auto& [edge, triangles] : edges_of(mesh))
+        if (triangles.size() == 1) return mesh.vertices[std::size_t(edge.first)];
+    return std::nullopt;
+}
+
 } // namespace physics

@@ -5,6 +5,7 @@
 #include "core/base/vec3.hpp"
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -20,5 +21,8 @@ struct TriangleMesh {
 /// @throws core::ConfigError for triangles without area, edges of more than two triangles, and surfaces with a single side; the
 ///         triangles are named by their number, counted from 1.
 [[nodiscard]] TriangleMesh joined_triangles(std::span<const std::array<core::Vec3, 3>> triangles);
+
+/// A place on the rim of the surface; none if it is closed [m].
+[[nodiscard]] std::optional<core::Vec3> rim_of(const TriangleMesh& mesh);
 
 } // namespace physics

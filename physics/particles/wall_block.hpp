@@ -137,6 +137,17 @@ void evaluate_wall(WallBlock& b, const Meet meet, const Law law, const WallSums&
     }
 }
 
+/// Adds the contacts in the block to what is measured. @param step  [s]
+template <class Meet>
+void measure_wall(const WallBlock& b, const Meet& meet, double step, int first, WallShares& shares)
+{
+    const double half = 0.5 * step;
+    for (int k = 0; k < b.count; ++k) {
+        const auto at = meet(b.x[k], b.y[k], b.z[k], half * b.vx[k], half * b.vy[k], half * b.vz[k]);
+        shares.add(std::size_t(b.particle[k] - first), {b.fx[k], b.fy[k], b.fz[k]}, at.depth * core::Vec3(at.nx, at.ny, at.nz));
+    }
+}
+
 /// The contacts of particles whose law with the wall is `law`. @param noted  As in evaluate_wall().
 template <class Meet, class Law, class Notes>
 void run_contacts(const MotionRecords::View& records, const WallColumns& wall, const Meet& meet, const Law& law, const WallSums& sums,
@@ -148,6 +159,7 @@ void run_contacts(const MotionRecords::View& records, const WallColumns& wall, c
         const int place = noted + begin - wall.begin;
         if (sums.energy) evaluate_wall<Budget::kept>(block, meet, law, sums, notes, place);
         else evaluate_wall<Budget::none>(block, meet, law, sums, notes, place);
+        if (sums.shares) measure_wall(block, meet, law.step, sums.particles.begin, *sums.shares);
         block.write(wall, begin, sums.particles);
     }
 }

@@ -18,7 +18,7 @@ WallDistance distance_from(const CylinderWall& wall, const core::Vec3& x)
     const core::Vec3 axis = wall.axis.normalized(), from = x - wall.point;
     const core::Vec3 across = from - from.dot(axis) * axis;
     const double r = across.norm();
-    const double side = wall.particles == CylinderSide::inside ? 1.0 : -1.0;
+    const double side = wall.particles == WallSide::inside ? 1.0 : -1.0;
     return {side * (wall.radius - r), r > 0 ? core::Vec3(-side * across / r) : core::Vec3(core::Vec3::Zero())};
 }
 

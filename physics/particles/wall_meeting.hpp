@@ -32,7 +32,7 @@ struct CylinderMeeting {
           ay(w.axis[1]),
           az(w.axis[2]),
           radius(w.radius),
-          outward(w.particles == CylinderSide::inside ? 1.0 : -1.0)
+          outward(w.particles == WallSide::inside ? 1.0 : -1.0)
     {
     }
     [[gnu::always_inline]] WallMeeting operator()(double x, double y, double z, double hx, double hy, double hz) const

@@ -25,15 +25,21 @@ std::array<double, 3> weights_of(const PatchPlace<double>& foot) { return {1.0 -
 
 } // namespace
 
-WallSurface::WallSurface(std::span<const Vec3> vertices, std::span<const std::array<int, 4>> quads, double smooth_angle)
+WallSurface::WallSurface(std::span<const Vec3> vertices, std::span<const std::array<int, 4>> quads, double smooth_angle,
+                         std::span<const int> materials)
 {
     const WallFaces faces(vertices, quads, smooth_angle, Rims::go_on);
     spokes_ = faces.spokes();
-    for (int f = 0; f < int(quads.size()); ++f) add_triangles(faces, f);
+    const bool many = materials.size() > 1;
+    if (!materials.empty()) material_ = {materials.front()};
+    for (std::size_t f = 0; f < quads.size(); ++f) {
+        add_triangles(faces, int(f));
+        if (many) material_.resize(triangles_.size(), materials[f]);
+    }
     fill_bins();
 }
 
-WallSurface::WallSurface(const TriangleMesh& mesh, double smooth_angle) : two_sided_(true)
+WallSurface::WallSurface(const TriangleMesh& mesh, double smooth_angle, int material) : two_sided_(true), material_{material}
 {
     std::vector<std::array<int, 4>> quads;
     for (const auto& [a, b, c] : mesh.triangles) quads.push_back({a, b, c, c});

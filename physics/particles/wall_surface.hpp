@@ -38,11 +38,13 @@ public:
     /// @param vertices      Relative to the domain's origin [m]; each place once.
     /// @param quads         Corners in cyclic order; the normal by the right-hand rule points to the particles.
     /// @param smooth_angle  Faces that meet at less than this are one smooth wall [rad].
+    /// @param materials     One for each face, or one for all.
     /// @throws core::ConfigError for corners that do not exist and faces without area.
-    WallSurface(std::span<const core::Vec3> vertices, std::span<const std::array<int, 4>> quads, double smooth_angle = 0.27);
+    WallSurface(std::span<const core::Vec3> vertices, std::span<const std::array<int, 4>> quads, double smooth_angle = 0.27,
+                std::span<const int> materials = {});
 
     /// Of triangles; particles meet it from both sides.
-    WallSurface(const TriangleMesh& mesh, double smooth_angle);
+    WallSurface(const TriangleMesh& mesh, double smooth_angle, int material = 0);
 
     [[nodiscard]] bool empty() const { return triangles_.empty(); }
     /// Whether particles meet it from both sides, or stay on that of the normal.
@@ -53,6 +55,7 @@ public:
     [[nodiscard]] bool near(int triangle, const core::Vec3& centre, double radius, double skin) const;
     /// The same for a plain triangle; for others only the heights.
     [[nodiscard]] CentreBounds bounds(int triangle, double radius, double skin) const;
+    [[nodiscard]] int material(int triangle) const { return material_.size() == 1 ? material_.front() : material_[std::size_t(triangle)]; }
     /// The curved triangles, for vector code.
     [[nodiscard]] const std::vector<WallPatch>& patches() const { return patches_; }
     /// Whether a triangle has no sharp edge and no sharp corner: it is met only where a foot is inside.
@@ -86,6 +89,7 @@ private:
     bool two_sided_ = false;
     std::vector<Triangle> triangles_;
     std::vector<WallPatch> patches_;
+    std::vector<int> material_{0};                // of each triangle, or of all
     std::vector<std::vector<core::Vec3>> spokes_; // directions of the edges from each sharp corner
     core::Vec3 low_ = core::Vec3::Zero(), high_ = core::Vec3::Zero();
     std::array<int, 3> bins_{1, 1, 1};

@@ -40,7 +40,7 @@ bool keeps_shape(const CylinderWall& w)
 
 } // namespace
 
-WallContacts::WallContacts(std::vector<Wall> walls, std::vector<int> kinds)
+WallContacts::WallContacts(std::vector<Wall> walls, std::vector<int> kinds, int species)
     : walls_(std::move(walls)),
       lists_(walls_.size()),
       kinds_(std::move(kinds)),
@@ -62,6 +62,7 @@ WallContacts::WallContacts(std::vector<Wall> walls, std::vector<int> kinds)
             [&](const auto& wall) {
                 lists_[w].frame = WallFrame(wall.motion);
                 lists_[w].report = wall.report;
+                lists_[w].first_kind = wall.material * species;
                 lists_[w].same_shape = keeps_shape(wall);
             },
             walls_[w]);
@@ -155,7 +156,8 @@ void WallContacts::refresh(const core::ParticleSet& p, double skin, const core::
 /// Those of one kind come one after the other.
 void WallContacts::choose(const core::ParticleSet& p, List& list, int chunk, const std::vector<int>& near) const
 {
-    const auto kind_of = [&](int k) { return index_of(kinds_[index_of(p.species[index_of(list.all.particle[index_of(k)])])]); };
+    const int* kinds = kinds_.data() + list.first_kind;
+    const auto kind_of = [&](int k) { return index_of(kinds[p.species[index_of(list.all.particle[index_of(k)])]]); };
     std::vector<int> next(index_of(kind_count_ + 1), 0);
     for (const int k : near) ++next[kind_of(k) + 1];
     next[0] = list.chunk_begin[index_of(chunk)];

@@ -15,19 +15,21 @@ struct PlaneWall {
     core::Vec3 point = core::Vec3::Zero();   ///< [m]
     core::Vec3 normal = core::Vec3::UnitZ(); ///< Towards the particles; made a unit vector on entry.
     WallMotion motion = {};
-    int report = -1; ///< Which of the loads its own is; none if negative.
+    int report = -1;  ///< Which of the loads its own is; none if negative.
+    int material = 0; ///< Of ParticleParameters::walls.
 };
 
-enum class CylinderSide { inside, outside };
+enum class WallSide { inside, outside };
 
 /// The space outside an endless cylinder is solid, or that inside.
 struct CylinderWall {
     core::Vec3 point = core::Vec3::Zero(); ///< On the axis [m].
     core::Vec3 axis = core::Vec3::UnitX(); ///< Made a unit vector on entry.
     double radius = 1.0;                   ///< [m]
-    CylinderSide particles = CylinderSide::inside;
+    WallSide particles = WallSide::inside;
     WallMotion motion = {};
-    int report = -1; ///< Which of the loads its own is; none if negative.
+    int report = -1;  ///< Which of the loads its own is; none if negative.
+    int material = 0; ///< Of ParticleParameters::walls.
 };
 
 using Wall = std::variant<PlaneWall, CylinderWall>;
@@ -35,8 +37,8 @@ using Wall = std::variant<PlaneWall, CylinderWall>;
 /// The particles near each wall and their tangential springs.
 class WallContacts {
 public:
-    /// @param kinds  For each species what makes particles alike at walls: kinds_of() their laws.
-    WallContacts(std::vector<Wall> walls, std::vector<int> kinds);
+    /// @param kinds  Of materials of walls x species, what contacts run in one loop: kinds_of() their laws.
+    WallContacts(std::vector<Wall> walls, std::vector<int> kinds, int species);
     /// Lists the owned particles with a gap below `skin` [m].
     void build(const core::ParticleSet& particles, double skin, const core::ContactHistory& history);
     /// Chooses among them those with a gap below `skin` [m], which are all that have forces.
@@ -69,6 +71,7 @@ private:
     struct List {
         WallFrame frame;
         int report;
+        int first_kind;  ///< Place of the wall's material among the kinds.
         bool same_shape; ///< The motion maps the wall onto itself: only its surface moves.
         Contacts all;
         std::vector<int> chunk_begin;

@@ -27,6 +27,22 @@ inline Triangles long_cylinder(double radius, double length, int around)
     return triangles;
 }
 
+/// A drum about the x axis from x = 0 on, closed by flat ends, of about 2 `around` (`along` + 1) triangles.
+inline Triangles drum(double radius, double length, int around, int along)
+{
+    Triangles triangles;
+    const auto at = [&](int i, int j) {
+        const double angle = 2 * std::numbers::pi * (j % around) / around;
+        return Vec3(length * i / along, radius * std::cos(angle), radius * std::sin(angle));
+    };
+    for (int j = 0; j < around; ++j) {
+        for (int i = 0; i < along; ++i) add_quad(triangles, at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
+        triangles.push_back({Vec3::Zero(), at(0, j), at(0, j + 1)});
+        triangles.push_back({Vec3(length, 0, 0), at(along, j), at(along, j + 1)});
+    }
+    return triangles;
+}
+
 /// A rectangle.
 inline Triangles sheet(const Vec3& corner, const Vec3& one, const Vec3& two)
 {

@@ -27,7 +27,7 @@ physics::ParticleParameters parameters(const std::string& keys) { return io::par
 
 TEST_CASE("names in contacts exist, and each pair and each material is given once")
 {
-    CHECK(problem_of(contacts("stiffness: 1 N/m, pairs: [{ between: [S, l], friction: 0 }]")) == "11:49 there is no species 'l'");
+    CHECK(problem_of(contacts("stiffness: 1 N/m, pairs: [{ between: [S, l], friction: 0 }]")) == "11:49 nothing is made of 'l'");
     CHECK(problem_of(contacts("stiffness: 1 N/m, pairs: [{ between: [S, wall] }, { between: [wall, S] }]")) ==
           "11:73 the pair of 'wall' and 'S' is given twice");
     CHECK(problem_of(contacts("stiffness: 1 N/m, pairs: [{ between: [wall, wall] }]")) == "11:49 walls do not meet each other");
@@ -36,6 +36,41 @@ TEST_CASE("names in contacts exist, and each pair and each material is given onc
     CHECK(problem_of(contacts("law: hertz, young_modulus: 1 GPa, poisson_ratio: 0.3, impact_speed: 1 m/s, materials: [" + steel + ", " +
                               steel + "]"))
               .ends_with("the material of 'S' is given twice"));
+}
+
+TEST_CASE("particles and walls of one material are named by it")
+{
+    const auto scene = [](const std::string& keys, const std::string& wall) {
+        return with("contact: { stiffness: 5 kN/m }",
+                    "  - { name: L, material: glass, count: 10, diameter: 4 mm, density: 2000 kg/m3 }\ncontact: { " + keys +
+                        " }\nwalls: [{ name: drum, plane: { point: [0 m, 0 m, 0 m], normal: y }" + wall + " }]");
+    };
+    const std::string steel = ", material: steel";
+    CHECK(problem_of(scene("stiffness: 1 N/m, pairs: [{ between: [glass, steel] }, { between: [glass, glass] }]", steel)) == "");
+    CHECK(problem_of(scene("stiffness: 1 N/m, pairs: [{ between: [L, steel] }]", steel)) == "11:49 'L' is of the material 'glass'");
+    CHECK(problem_of(scene("stiffness: 1 N/m, pairs: [{ between: [S, drum] }]", "")) == "11:49 nothing is made of 'drum'");
+    CHECK(problem_of(scene("stiffness: 1 N/m, pairs: [{ between: [wall, steel] }]", steel)) == "11:49 walls do not meet each other");
+    CHECK(problem_of(scene("pairs: [{ between: [S, S], stiffness: 1 N/m }, { between: [S, glass], stiffness: 1 N/m }, { between: [S, "
+                           "wall], stiffness: 1 N/m }]",
+                           steel)) == "11:1 law: linear needs 'stiffness' between 'S' and 'steel'");
+    CHECK(problem_of(scene("stiffness: 1 N/m, sides: [{ at: wall, material: steel }, { at: wall, material: glass }]", "")) ==
+          "11:75 the material of 'wall' is given twice");
+    CHECK(problem_of(scene("stiffness: 1 N/m, sides: [{ at: x_low, material: steel }]", "")) ==
+          "11:44 the grid repeats along x: it has no boundary 'x_low'");
+
+    const auto p = io::particle_parameters(test::scene_from_text(
+        scene("stiffness: 5 kN/m, sides: [{ at: wall, material: glass }], pairs: [{ between: [glass, steel], friction: 0.1 }, { between: "
+              "[glass, glass], friction: 0.2 }, { between: [S, glass], friction: 0.3 }]",
+              steel)));
+    CHECK(p.wall_materials == 3); // wall, glass, steel
+    REQUIRE(p.walls.size() == 6); // of each S, L
+    CHECK(p.walls[0] == p.walls[1]);
+    CHECK(p.walls[2].friction == 0.3);
+    CHECK(p.walls[3].friction == 0.2);
+    CHECK(p.walls[4].friction == 0.4);
+    CHECK(p.walls[5].friction == 0.1);
+    CHECK(p.pairs[1].friction == 0.3);
+    CHECK(p.pairs[3].friction == 0.2);
 }
 
 TEST_CASE("each law has the constants that it needs and no others")

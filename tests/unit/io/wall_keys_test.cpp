@@ -53,10 +53,10 @@ TEST_CASE("a moving wall is written and read back, and becomes one of physics re
     const auto [again, more] = io::read_scene_text("resolved", io::scene_text(scene));
     CHECK(more->text() == "");
     CHECK(again == scene);
-    const auto walls = io::own_walls(scene.walls, Vec3(0, 0, 1));
+    const auto walls = io::own_walls(scene, Vec3(0, 0, 1));
     REQUIRE(walls.size() == 1);
     const auto& drum = std::get<physics::CylinderWall>(walls.front());
-    CHECK(drum.particles == physics::CylinderSide::outside);
+    CHECK(drum.particles == physics::WallSide::outside);
     CHECK((drum.point - Vec3(1, 0, 1)).norm() == 0.0);
     CHECK((drum.motion.axis_point - Vec3(1, 0, 1)).norm() == 0.0);
     CHECK((drum.motion.angular_velocity - Vec3(0, -std::numbers::pi, 0)).norm() < 1e-14); // rounding

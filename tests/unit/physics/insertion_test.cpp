@@ -32,7 +32,7 @@ double overlap(const core::Sphere& a, const core::Sphere& b)
 TEST_CASE("spheres of two sizes find places in a pipe without touching each other or the wall")
 {
     for (const auto& place : {physics::place_at_random, physics::place_on_lattice}) {
-        const auto spheres = place(pipe_domain, wall, {group(1067, 2e-3, 0), group(533, 3e-3, 1)}, 1);
+        const auto spheres = place(pipe_domain, {wall}, {group(1067, 2e-3, 0), group(533, 3e-3, 1)}, 1);
         REQUIRE(spheres.size() == 1600);
         for (std::size_t a = 0; a < spheres.size(); ++a) {
             CHECK(spheres[a].id == std::int64_t(a));
@@ -45,6 +45,6 @@ TEST_CASE("spheres of two sizes find places in a pipe without touching each othe
 
 TEST_CASE("a region that is too full is refused")
 {
-    CHECK_THROWS_AS((void)physics::place_at_random(pipe_domain, wall, {group(20000, 3e-3, 0)}, 1), core::ConfigError);
-    CHECK_THROWS_AS((void)physics::place_on_lattice(pipe_domain, wall, {group(20000, 3e-3, 0)}, 1), core::ConfigError);
+    CHECK_THROWS_AS((void)physics::place_at_random(pipe_domain, {wall}, {group(20000, 3e-3, 0)}, 1), core::ConfigError);
+    CHECK_THROWS_AS((void)physics::place_on_lattice(pipe_domain, {wall}, {group(20000, 3e-3, 0)}, 1), core::ConfigError);
 }

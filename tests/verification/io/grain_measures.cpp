@@ -7,7 +7,7 @@
 #include "core/grid/extents.hpp"
 #include "io/run/grain_fields.hpp"
 #include "io/run/world.hpp"
-#include "physics/particles/advance.hpp"
+#include "tests/support/particle_scene.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/scene_from_text.hpp"
 #include <doctest/doctest.h>
@@ -88,7 +88,7 @@ TEST_CASE("grains that fly at random have the temperature and the pressure of a 
     CHECK(pressure / volume == test::relative(density * temperature).epsilon(1e-9)); // the same sums, by cells or by grains
 }
 
-TEST_CASE("stress at rest carries the weight: its integral is the moment of the weights about the layer on the floor")
+TEST_CASE("stress at rest carries the weight: its integral is the moment of the weights about the floor")
 {
     io::World world(scene("gravity: { direction: -y }\n", "x, z", "count: 600, diameter: 2 mm"), core::Communicator::self());
     const auto executor = tasks::make_executor({"serial"}, world.compile());
@@ -96,14 +96,10 @@ TEST_CASE("stress at rest carries the weight: its integral is the moment of the 
     io::GrainFields fields(world);
     fields.find(world);
     const core::ParticleSet& p = world.grains()->particles;
-    double moment = 0, weight = 0;
-    for (int i = 0; i < p.owned; ++i) {
-        moment += 9.81 * p.mass[std::size_t(i)] * p.position[1][std::size_t(i)];
-        weight += 9.81 * p.mass[std::size_t(i)];
-    }
-    // The floor pushes with the whole weight at a radius below the centres of the lowest layer, and is no contact between grains.
-    // At rest to some 1e-3 of the weight; centres of the lowest layer differ from a radius by the overlap, 1e-3 of it.
-    CHECK(integral(world, fields.stress()[1]) == test::relative(moment - weight * 1e-3).epsilon(5e-3));
+    double moment = 0;
+    for (int i = 0; i < p.owned; ++i) moment += 9.81 * p.mass[std::size_t(i)] * p.position[1][std::size_t(i)];
+    // The floor pushes at height 0, where it has no moment. At rest to some 1e-3 of the weight.
+    CHECK(integral(world, fields.stress()[1]) == test::relative(moment).epsilon(5e-3));
     // A layer of cells carries what lies above its middle, to a part of a grain's weight per area: the lower half of the upper cells.
     const double area = 4e-4;
     double lowest = 0;
@@ -115,6 +111,53 @@ TEST_CASE("stress at rest carries the weight: its integral is the moment of the 
         above += 9.81 * p.mass[std::size_t(i)] * std::clamp((y - 6e-3) / 6e-3, 0.0, 1.0);
     }
     CHECK(lowest == test::relative(above / area).epsilon(0.1)); // grains of 2 mm count as a whole where their centre is, in 6 mm
+}
+
+TEST_CASE("a column of spheres has the stress of its weight from the top to the floor, whatever the floor is made of")
+{
+    const int count = 8;
+    const double radius = 1e-3, stiffness = 1e4, area = 9e-6, weight = 9.81 * 2500 * 4.0 / 3.0 * std::numbers::pi * 1e-9;
+    const std::string plane = "walls: [{ name: floor, plane: { point: [0 m, 0 m, 0 m], normal: y } }]\n",
+                      disc = "walls: [{ name: floor, disc: { point: [1.5 mm, 0 m, 1.5 mm], normal: y, radius: 4 mm } }]\n";
+    for (const auto& [walls, own] :
+         {std::pair<std::string, std::string>{"primitive", ""}, {"faces", ""}, {"none", plane}, {"none", disc}}) {
+        CAPTURE(walls + own);
+        io::World world(
+            test::scene_from_text("name: column\ngrid: { box: { size: [3 mm, 20 mm, 3 mm], cells: [1, 5, 1] }, periodic: [x, z] }\n"
+                                  "gravity: { direction: -y }\nparticles:\n  - { name: S, count: 8, diameter: 2 mm, density: 2500 kg/m3, "
+                                  "initial: { arrangement: lattice } }\ncontact: { stiffness: 10 kN/m, walls: " +
+                                  walls + " }\n" + own + "output: { grains: [contacts] }\nrun: { until: 1 s, time_step: 1 ms }\n"),
+            core::Communicator::self());
+        core::ParticleSet& p = world.grains()->particles;
+        const auto overlap = [&](int below) { return (count - below) * weight / stiffness; }; // under a sphere that `below` others carry
+        double height = -radius;
+        for (int n = 0; n < count; ++n) {
+            const auto i = std::size_t(test::place(p, n));
+            height += 2 * radius - overlap(n);
+            p.position[0][i] = p.position[2][i] = 1.5e-3;
+            p.position[1][i] = height;
+        }
+        const auto executor = tasks::make_executor({"serial"}, world.compile());
+        world.step(*executor);
+        io::GrainFields fields(world);
+        fields.find(world);
+        for (int cell = 0; cell < 4; ++cell) { // of two spheres each
+            double expected = 0;
+            for (int n = 2 * cell; n < 2 * cell + 2; ++n)
+                expected += (count - n) * weight * (radius - overlap(n) / (n == 0 ? 1 : 2)) +
+                            (count - n - 1) * weight * (radius - overlap(n + 1) / 2);
+            CAPTURE(cell);
+            const double stress = fields.stress()[1].on(0)(0, cell, 0);
+            CHECK(stress * area * 4e-3 == test::relative(expected).epsilon(1e-8)); // places are known to 1e-10 of the overlaps
+            // the weight above the cell's middle; spheres overlap by 1e-4 of their radius
+            CHECK(stress * area == test::relative((count - 2 * cell - 1) * weight).epsilon(1e-4));
+            CHECK(fields.contacts()[0].on(0)(0, cell, 0) == (cell == 0 || cell == 3 ? 1.5 : 2.0));
+            CHECK(fields.contacts()[1].on(0)(0, cell, 0) == (cell == 0 ? 0.5 : 0.0));
+        }
+        if (own.empty()) continue;
+        const auto loads = world.grains()->loads();
+        CHECK(loads.at(0).sum[1].value() / world.grains()->load_steps() == test::relative(-count * weight).epsilon(1e-8)); // the same
+    }
 }
 
 TEST_CASE("Lacey's index is 0 for kinds apart, and 1 on average for kinds dealt by chance")

@@ -77,7 +77,7 @@ TEST_CASE("spheres of sizes 1 to 4 fill a pipe between its ends, each in its reg
                                            physics::PlaneWall{domain.size, -Vec3::UnitX()}};
     const physics::Region all = physics::BoxRegion{Vec3::Zero(), domain.size};
     const physics::CylinderRegion core_region{Vec3(0.005, 0.01, 0.01), Vec3(0.02, 0.01, 0.01), 0.006};
-    const auto spheres = physics::place_densely(domain, walls, {group(1000, 0.6e-3, all), group(30, 2.4e-3 / 2, core_region)}, 3);
+    const auto spheres = physics::place_densely(domain, {walls}, {group(1000, 0.6e-3, all), group(30, 2.4e-3 / 2, core_region)}, 3);
     CHECK(smallest_gap(domain, spheres) >= 0.0);
     for (const core::Sphere& s : spheres) CHECK(physics::clearance(walls, s.position, s.radius) >= 0.0);
     for (std::size_t n = 1000; n < spheres.size(); ++n) { // to a thousandth of the radius

@@ -78,9 +78,9 @@ std::map<std::int64_t, std::array<double, 9>> shaken_balls(double skin, double n
     WallMotion turn = turning(Vec3(8e-3, 0, 25e-3), Vec3(0, 20, 0));
     turn.start = 0.01;
     turn.stop = 0.02;
-    std::vector<physics::Wall> walls{PlaneWall{Vec3::Zero(), Vec3::UnitZ(), shaking}, PlaneWall{Vec3(0, 0, 20e-3), -Vec3::UnitZ(), turn},
-                                     CylinderWall{Vec3(8e-3, 8e-3, 0), Vec3::UnitZ(), 16e-3, physics::CylinderSide::inside,
-                                                  turning(Vec3(8e-3, 9e-3, 0), Vec3(0, 0, 30))}};
+    std::vector<physics::Wall> walls{
+        PlaneWall{Vec3::Zero(), Vec3::UnitZ(), shaking}, PlaneWall{Vec3(0, 0, 20e-3), -Vec3::UnitZ(), turn},
+        CylinderWall{Vec3(8e-3, 8e-3, 0), Vec3::UnitZ(), 16e-3, physics::WallSide::inside, turning(Vec3(8e-3, 9e-3, 0), Vec3(0, 0, 30))}};
     physics::ParticleDynamics dynamics({}, parameters, walls, 1e-5);
     for (const auto& ball : test::loose_lattice(75, 5, 5, Vec3(0, 0, 3e-3), 0.5)) dynamics.particles.add(ball);
     run_from(dynamics, Vec3(0, 0, -g), 3000, 0.0);
@@ -123,9 +123,9 @@ TEST_CASE("a sliding belt and a turning drum drag a ball until it rolls with 2/7
     CHECK(dragged_speed(PlaneWall{Vec3::Zero(), Vec3::UnitZ(), going(Vec3(speed, 0, 0))}, Vec3::Zero(), speed) ==
           test::relative(2.0 / 7.0 * speed).epsilon(1e-4));
     const Vec3 axis = Vec3::UnitY(), centre(0, 0, drum);
-    const CylinderWall inside{centre, axis, drum, physics::CylinderSide::inside, turning(centre, -speed / drum * axis)};
+    const CylinderWall inside{centre, axis, drum, physics::WallSide::inside, turning(centre, -speed / drum * axis)};
     CHECK(dragged_speed(inside, Vec3::Zero(), speed) == test::relative(2.0 / 7.0 * speed).epsilon(1e-4));
-    const CylinderWall outside{-centre, axis, drum, physics::CylinderSide::outside, turning(-centre, speed / drum * axis)};
+    const CylinderWall outside{-centre, axis, drum, physics::WallSide::outside, turning(-centre, speed / drum * axis)};
     CHECK(dragged_speed(outside, Vec3::Zero(), speed) == test::relative(2.0 / 7.0 * speed).epsilon(1e-4));
 }
 

@@ -80,7 +80,7 @@ double shaken_error(const physics::ContactParameters& contact, double step)
     physics::ParticleDynamics dynamics(
         {}, booked(contact),
         {physics::PlaneWall{Vec3::Zero(), Vec3::UnitZ(), shaking}, physics::PlaneWall{Vec3(0, 0, 22e-3), -Vec3::UnitZ()},
-         physics::CylinderWall{Vec3(8e-3, 8e-3, 0), Vec3::UnitZ(), 15e-3, physics::CylinderSide::inside, turning}},
+         physics::CylinderWall{Vec3(8e-3, 8e-3, 0), Vec3::UnitZ(), 15e-3, physics::WallSide::inside, turning}},
         step);
     dynamics.add_surface(test::surface(test::sheet(Vec3(1e-3, 8e-3, 12e-3), Vec3(14e-3, 0, 0), Vec3(0, 0, 8e-3))), swinging);
     for (const auto& ball : test::loose_lattice(50, 5, 5, Vec3(0, 0, 3e-3), 0.5)) dynamics.particles.add(ball);

@@ -197,7 +197,7 @@ TEST_CASE("a turning cylinder of triangles drags a ball as the analytic one does
     for (auto& corners : triangles)
         for (auto& x : corners) x += Vec3(-30e-3, 0, drum);
     const auto analytic =
-        thrown({physics::CylinderWall{turning.axis_point, Vec3::UnitX(), drum, physics::CylinderSide::inside, turning}}, {}, {});
+        thrown({physics::CylinderWall{turning.axis_point, Vec3::UnitX(), drum, physics::WallSide::inside, turning}}, {}, {});
     CHECK(difference(thrown({}, triangles, turning), analytic) <
           2e-3); // patches are off by 1e-7 of the radius; impacts and slip magnify it
 }

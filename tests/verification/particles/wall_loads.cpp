@@ -44,7 +44,7 @@ physics::ParticleDynamics shaken(const physics::ParticleParameters& parameters)
     physics::ParticleDynamics dynamics(
         {}, parameters,
         {physics::PlaneWall{Vec3::Zero(), Vec3::UnitZ(), tilting, 0}, physics::PlaneWall{Vec3(0, 0, 22e-3), -Vec3::UnitZ(), {}, 1},
-         physics::CylinderWall{Vec3(8e-3, 8e-3, 0), Vec3::UnitZ(), 15e-3, physics::CylinderSide::inside, turning, 2}},
+         physics::CylinderWall{Vec3(8e-3, 8e-3, 0), Vec3::UnitZ(), 15e-3, physics::WallSide::inside, turning, 2}},
         1e-5);
     dynamics.add_surface(test::surface(test::sheet(Vec3(1e-3, 8e-3, 12e-3), Vec3(14e-3, 0, 0), Vec3(0, 0, 8e-3))), swinging, 3);
     dynamics.report_walls(4);

@@ -124,8 +124,9 @@ std::array<double, 2> womersley_errors(int across, double alpha, int steps)
 
 TEST_CASE("a harmonic flow in a pipe needs the gradient of Womersley's impedance, at second order")
 {
-    const auto coarse = womersley_errors(16, 5, 80), fine = womersley_errors(32, 5, 160);
-    CHECK(fine[0] < 0.005);
+    // The order of the velocity grows to two from below: 1.79 from 16 to 32 cells, 1.83 here, 1.87 from 32 to 64.
+    const auto coarse = womersley_errors(24, 5, 120), fine = womersley_errors(48, 5, 240);
+    CHECK(fine[0] < 0.001);
     CHECK(std::log2(coarse[0] / fine[0]) > 1.8);
     CHECK(std::log2(coarse[1] / fine[1]) > 1.8);
 }

@@ -31,11 +31,12 @@ struct WallShares {
     Lane contacts{};              ///< That push [-].
     std::array<Lane, 6> stress{}; ///< [J]
 
-    /// @param force  On the particle [N]. @param arm  From its centre to where it touches the wall [m].
-    void add(std::size_t k, const core::Vec3& force, const core::Vec3& arm)
+    /// @param force  On the particle [N]. @param arm  From its centre to the wall [m].
+    /// @param radius  Of the particle: from farther away a film acts, which is no contact [m].
+    void add(std::size_t k, const core::Vec3& force, const core::Vec3& arm, double radius)
     {
         if (force.isZero(0.0)) return;
-        contacts[k] += 1.0;
+        contacts[k] += double(arm.squaredNorm() <= radius * radius);
         const auto share = stress_share(force, arm);
         for (std::size_t n = 0; n < share.size(); ++n) stress[n][k] += share[n];
     }

@@ -214,7 +214,7 @@ void SurfaceContacts::finish(const core::ParticleSet& p, const ContactLaws& laws
         else evaluate.template operator()<Budget::none>(law_of);
     });
     block.add_to(columns_of(sums.particles), index_of(sums.particles.begin));
-    if (sums.shares) block.measure(index_of(sums.particles.begin), *sums.shares);
+    if (sums.shares) block.measure(p.radius, index_of(sums.particles.begin), *sums.shares);
     if (sums.energy) block.add_books(columns, index_of(sums.particles.begin), WallVelocity(frame_.now()), *sums.energy);
     for (int k = 0; k < block.count; ++k) chunk.contacts.push_back({block.particle[k], block.normal(k), block.tangential(k)});
     for (int k = 0; k < block.count && block.turning; ++k) chunk.turns.push_back(block.turn(k));

@@ -74,9 +74,12 @@ struct alignas(64) SurfaceTouches {
     }
 
     /// Adds the contacts to what is measured.
-    void measure(std::size_t first, WallShares& shares) const
+    void measure(const core::Column& radius, std::size_t first, WallShares& shares) const
     {
-        for (int k = 0; k < count; ++k) shares.add(std::size_t(particle[k]) - first, force(k), depth[k] * normal(k));
+        for (int k = 0; k < count; ++k) {
+            const auto i = std::size_t(particle[k]);
+            shares.add(i - first, force(k), depth[k] * normal(k), radius[i]);
+        }
     }
 
     /// Adds the books likewise. @param velocity  Of the wall now.

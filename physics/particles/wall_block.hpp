@@ -144,7 +144,8 @@ void measure_wall(const WallBlock& b, const Meet& meet, double step, int first, 
     const double half = 0.5 * step;
     for (int k = 0; k < b.count; ++k) {
         const auto at = meet(b.x[k], b.y[k], b.z[k], half * b.vx[k], half * b.vy[k], half * b.vz[k]);
-        shares.add(std::size_t(b.particle[k] - first), {b.fx[k], b.fy[k], b.fz[k]}, at.depth * core::Vec3(at.nx, at.ny, at.nz));
+        shares.add(std::size_t(b.particle[k] - first), {b.fx[k], b.fy[k], b.fz[k]}, at.depth * core::Vec3(at.nx, at.ny, at.nz),
+                   b.radius[k]);
     }
 }
 

@@ -22,7 +22,8 @@ public:
         };
         for (const Species& species : scene.particles) add(material_of(species));
         of_species_ = names_.size();
-        for (const std::string& wall : WallMaterials(scene).names()) add(wall);
+        const WallMaterials walls(scene);
+        for (const std::string& wall : walls.names()) add(wall);
     }
 
     void check()

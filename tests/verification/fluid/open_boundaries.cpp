@@ -61,13 +61,12 @@ double developed_error(int cells, BoundaryKind exit)
 
 } // namespace
 
-TEST_CASE("a parabolic inflow makes Poiseuille's flow, to second order")
+TEST_CASE("a parabolic inflow makes Poiseuille's flow, to round-off")
 {
     for (const BoundaryKind exit : {BoundaryKind::outflow, BoundaryKind::pressure}) {
         const double coarse = developed_error(8, exit), fine = developed_error(16, exit);
         MESSAGE("error over mean speed, 8 and 16 cells: ", coarse, ", ", fine);
-        CHECK(fine < 5e-3);
-        CHECK(std::log2(coarse / fine) > 1.7); // second order, on grids that are not fine
+        CHECK(std::max(coarse, fine) < 1e-9); // what solvers leave: cells and walls have parabolas exactly
     }
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Turbulence that is missing, does not dissipate, or is strained faster than it can follow (NUMERICS D 35, D 36).
 #include "tests/support/fluid_run.hpp"
+#include "tests/support/relative.hpp"
 #include <doctest/doctest.h>
 
 namespace {
@@ -42,7 +43,7 @@ double largest_eddy_viscosity(test::FluidRun& run)
 
 } // namespace
 
-TEST_CASE("without turbulence at the start a flow is the laminar one, to round-off")
+TEST_CASE("without turbulence at the start a flow is the laminar one with straight lines at its walls")
 {
     const auto laminar = flow_between_plates(std::nullopt, 0.25, 200);
     const auto functions = physics::WallTreatment::functions, resolved = physics::WallTreatment::resolved;
@@ -51,7 +52,10 @@ TEST_CASE("without turbulence at the start a flow is the laminar one, to round-o
         const auto run = flow_between_plates(duct, 0.25, 200);
         const double most = run->largest(
             [&](core::LocalBlock b, int i, int j, int k) { return run->velocity(b, i, j, k).x() - laminar->velocity(b, i, j, k).x(); });
-        CHECK(most < 1e-8); // of 1 m/s: what the solvers of viscosity leave
+        // Models of turbulence take straight lines in the cells at walls: G h^2 / (8 nu) more than with parabolas once the flow is steady,
+        // here to exp(-50 s x pi^2 nu / H^2) = 0.7 %.
+        constexpr double cell = 0.1 / 16, straight = 8e-2 * cell * cell / (8 * 1e-4);
+        CHECK(most == test::relative(straight).epsilon(0.01));
         CHECK(largest_eddy_viscosity(*run) < 1e-8 * 1e-4);
     }
 }

@@ -35,7 +35,7 @@ TEST_CASE("the stress on a bed is the drive times the height of the fluid above 
     run.start();
     io::MomentumLedger ledger(world);
     const io::MetricGroup stress = io::bed_stress_metrics(world, ledger), moving = io::bed_metrics(world);
-    for (int n = 0; n < 300; ++n) {
+    for (int n = 0; n < 600; ++n) {
         run.step();
         ledger.update();
     }
@@ -47,7 +47,7 @@ TEST_CASE("the stress on a bed is the drive times the height of the fluid above 
     const double expected = gradient * (20e-3 - top - above / area);
     CHECK(top > 4e-3); // grains lie up to 6 mm
     CHECK(top < 6.5e-3);
-    // The flow is steady to exp(-6 s x (pi / 2)^2 x 2e-3 m2/s / (15 mm)^2), the pressure to 1e-8.
+    // The flow is steady to exp(-12 s x (pi / 2)^2 x 2e-3 m2/s / (15 mm)^2), the pressure to 1e-8.
     CHECK(stress.values()[0] == test::relative(expected).epsilon(1e-6));
     CHECK(std::abs(stress.values()[2]) < 0.02 * expected); // across the flow an uneven bed of 48 diameters squared gives a little
 }

@@ -116,14 +116,14 @@ TEST_CASE("stress at rest carries the weight: its integral is the moment of the 
 TEST_CASE("a column of spheres has the stress of its weight from the top to the floor, whatever the floor is made of")
 {
     const int count = 8;
-    const double radius = 1e-3, stiffness = 1e4, area = 9e-6, weight = 9.81 * 2500 * 4.0 / 3.0 * std::numbers::pi * 1e-9;
+    const double radius = 1e-3, stiffness = 1e4, area = 25e-6, weight = 9.81 * 2500 * 4.0 / 3.0 * std::numbers::pi * 1e-9;
     const std::string plane = "walls: [{ name: floor, plane: { point: [0 m, 0 m, 0 m], normal: y } }]\n",
-                      disc = "walls: [{ name: floor, disc: { point: [1.5 mm, 0 m, 1.5 mm], normal: y, radius: 4 mm } }]\n";
+                      disc = "walls: [{ name: floor, disc: { point: [2.5 mm, 0 m, 2.5 mm], normal: y, radius: 4 mm } }]\n";
     for (const auto& [walls, own] :
          {std::pair<std::string, std::string>{"primitive", ""}, {"faces", ""}, {"none", plane}, {"none", disc}}) {
         CAPTURE(walls + own);
         io::World world(
-            test::scene_from_text("name: column\ngrid: { box: { size: [3 mm, 20 mm, 3 mm], cells: [1, 5, 1] }, periodic: [x, z] }\n"
+            test::scene_from_text("name: column\ngrid: { box: { size: [5 mm, 20 mm, 5 mm], cells: [1, 5, 1] }, periodic: [x, z] }\n"
                                   "gravity: { direction: -y }\nparticles:\n  - { name: S, count: 8, diameter: 2 mm, density: 2500 kg/m3, "
                                   "initial: { arrangement: lattice } }\ncontact: { stiffness: 10 kN/m, walls: " +
                                   walls + " }\n" + own + "output: { grains: [contacts] }\nrun: { until: 1 s, time_step: 1 ms }\n"),
@@ -134,7 +134,7 @@ TEST_CASE("a column of spheres has the stress of its weight from the top to the 
         for (int n = 0; n < count; ++n) {
             const auto i = std::size_t(test::place(p, n));
             height += 2 * radius - overlap(n);
-            p.position[0][i] = p.position[2][i] = 1.5e-3;
+            p.position[0][i] = p.position[2][i] = 2.5e-3;
             p.position[1][i] = height;
         }
         const auto executor = tasks::make_executor({"serial"}, world.compile());
